@@ -11,8 +11,9 @@ from gymnasium import spaces
 from edugym_course.grading.learners import Learner
 from edugym_course.grading.programs import APART, run_program, shape_of
 from edugym_course.grading.replay import replay
-from edugym_course.grading.surprises import NEAR, Surprises, likeliest, refusal
+from edugym_course.grading.surprises import NEAR, Surprises, likeliest, refusal, usual_refusal
 
+WHERE = "worlds where small differences decide,"
 WORLDS, N_STEPS = 2, 3_000
 ACTIONS, BANDITS, CORRIDOR = 2, 30, 10
 SMALL, LESS = 0.05, 0.03
@@ -106,10 +107,11 @@ def require_close_calls(
     number, rows = likeliest(replays, sum(map(len, runs)), math.log(1 - epsilon + epsilon / shape[1]))
     likely = Surprises.of(rows)
     if likely.explains_better_than(found) and likely.is_usual(NEAR):
-        cause = f"They fit a usual mistake: {[*mistakes][number]}"
-    else:
-        cause = (
-            "Are α, γ and the first values those of the text, the first values all the same, and the values neither"
-            " rounded nor cut off?"
-        )
-    raise refusal("worlds where small differences decide,", epsilon, found, cause)
+        raise usual_refusal(WHERE, epsilon, found, [*mistakes][number])
+    raise refusal(
+        WHERE,
+        epsilon,
+        found,
+        "Are α, γ and the first values those of the text, the first values all the same, and the values neither rounded"
+        " nor cut off?",
+    )

@@ -39,6 +39,7 @@ from edugym_course.grading.surprises import (
     Surprises,
     likeliest,
     refusal,
+    usual_refusal,
 )
 
 TRIAL = 300
@@ -235,12 +236,7 @@ class Rule:
         elif right.too_many < -SIGMAS * right.deviation:  # a wrong equation makes more, and not fewer
             cause = TOO_SELDOM
         elif is_better and likely.explains_those_of(right, mistake.leaves) and self._resembles(likely, mistake):
-            cause = f"They fit a usual mistake: {sentence}"
-            if right.is_usual():  # their number tells nothing
-                raise WrongAnswer(
-                    f"in small worlds with {right.found.size} steps the actions of {NAME} follow from its own steps by"
-                    f" another equation than that of this lesson. {cause}"
-                )
+            raise usual_refusal("small worlds", self.epsilon, right, sentence)
         else:
             others = right.among(~first)
             only_first = others.is_usual(NEAR) and others.are_drawn() and not right.among(first).is_usual(NEAR)

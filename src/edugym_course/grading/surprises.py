@@ -155,10 +155,23 @@ def likeliest(replays: Sequence[Iterator[Row]], n_steps: int, highest: float) ->
 
 def refusal(where: str, epsilon: float, found: Surprises, cause: str) -> WrongAnswer:
     """Return what to say of surprises in some worlds, and of their cause."""
-    return WrongAnswer(
-        f"in {where} with {found.found.size} steps, {found.found.sum():.0f} actions of {NAME} are not greedy, if it"
+    return WrongAnswer(f"in {_counted(where, epsilon, found)} {cause}")
+
+
+def usual_refusal(where: str, epsilon: float, found: Surprises, sentence: str, when: str = "") -> WrongAnswer:
+    """Return what to say where a usual mistake explains the surprises: first the mistake, as a sentence tells it."""
+    stop = "" if sentence.endswith("?") else "."
+    how = _counted(where, epsilon, found)
+    if found.is_usual():  # their number tells nothing
+        how = f"{where} with {found.found.size} steps they follow by another equation than that of this lesson."
+    return WrongAnswer(f"{when}the actions of {NAME} fit a usual mistake: {sentence}{stop} In {how}")
+
+
+def _counted(where: str, epsilon: float, found: Surprises) -> str:
+    return (
+        f"{where} with {found.found.size} steps, {found.found.sum():.0f} actions of {NAME} are not greedy, if it"
         f" learns from its steps by the equation of this lesson, and with ε = {epsilon:g} it should be some"
-        f" {found.expected:.0f}. {cause}"
+        f" {found.expected:.0f}."
     )
 
 

@@ -9,9 +9,10 @@ import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 from symtable import SymbolTable, symtable
 from typing import Any, NamedTuple
@@ -134,11 +135,25 @@ def _grade(assignment: Assignment, student: Student, folder: Path, seconds: floa
         else Verdict(0, remark or "it was not checked", ())
         for task in assignment.tasks
     ]
-    return Graded(student, tuple(verdicts), tuple(filter(None, [*_remarks(notebook.cells, given.cells), remark])))
+    remarks = _remarks(notebook.cells, given.cells, partial(_whose, assignment, student))
+    return Graded(student, tuple(verdicts), tuple(filter(None, [*remarks, remark])))
 
 
-def _remarks(cells: Iterable[Any], given: Iterable[Any]) -> Iterator[str]:
-    """Yield what was done to the checks."""
+def _whose(assignment: Assignment, student: Student, name: str, source: str) -> Student | None:
+    """Return the other student who got a cell of a check with this text, if there is one."""
+    import nbformat
+
+    for other in assignment.students.values():
+        if other == student:
+            continue
+        theirs = handed_out(nbformat.read(assignment.source(other.id), as_version=4)).cells
+        if any(_grade_id(cell) == name and cell.source.strip() == source.strip() for cell in theirs):
+            return other
+    return None
+
+
+def _remarks(cells: Iterable[Any], given: Iterable[Any], whose: Callable[[str, str], Student | None]) -> Iterator[str]:
+    """Yield what was done to the checks; `whose` says from the name and the text of one whom it was made for."""
     checks = {_grade_id(cell): cell.source for cell in given if is_check(cell)}
     came = {_grade_id(cell): cell.source for cell in cells if _grade_id(cell) in checks}
     for name, source in checks.items():
@@ -146,7 +161,12 @@ def _remarks(cells: Iterable[Any], given: Iterable[Any]) -> Iterator[str]:
         if name not in came:
             yield f"the cell of check {number} is missing"
         elif came[name].strip() != source.strip():
-            yield f"check {number} was edited, which changes nothing"
+            other = whose(name, came[name])
+            yield (
+                f"check {number} is that of {other.name} ({other.id})"
+                if other
+                else (f"check {number} was edited, which changes nothing")
+            )
     new = {cell.source for cell in cells if is_code(cell)} - {cell.source for cell in given if is_code(cell)}
     for name in ("check", *(f"exercise_{number}" for number in range(1, len(checks) + 1))):
         if any(name in _bound(source) for source in new):

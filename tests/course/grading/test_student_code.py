@@ -6,6 +6,7 @@ import random
 import warnings
 from typing import Any, NamedTuple
 
+import gymnasium
 import numpy as np
 import pytest
 
@@ -118,6 +119,7 @@ ERRORS = [
     ("return [True].all()", "that is a list: np.array(...) makes an array of it"),
     ("return np.zeros(2).append(1)", "an array keeps its size: write into an entry of it"),
     ("return math(2)", "a module has this name too: write `self.` before a method"),
+    ("return gymnasium.spaces.MultiDiscrete([2]).n", "`table_size(environment)` counts its states and actions"),
     ("return np.zeros(2).maximum()", "is the name spelt as in the exercise?"),
 ]
 """Lines that raise an error, and what is said of it."""
@@ -133,7 +135,7 @@ def test_what_often_lies_behind_an_error(line: str, hint: str) -> None:
     def g(x: int, y: int) -> None:
         """A function of two parameters."""
 
-    said = run(f"def f(self=None):\n    {line}", np=np, math=math, Pair=Pair, create=create, g=g)
+    said = run(f"def f(self=None):\n    {line}", np=np, math=math, gymnasium=gymnasium, Pair=Pair, create=create, g=g)
     assert f"({hint}" in said
 
 

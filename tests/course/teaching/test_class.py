@@ -124,6 +124,12 @@ def copies_one_answer(work: Work) -> None:
     work.solve("ada", 3)
 
 
+def hands_in_another(work: Work) -> None:
+    """The whole notebook is somebody else's, with its checks."""
+    work.notebook = Work(work.folder, work.made, "ada").notebook
+    work.solve("ada")
+
+
 CLASS: dict[str, tuple[Callable[[Work], None] | None, list[int], str]] = {
     "ada": (Work.solve, [1, 1, 2], ""),
     "bob": (lambda work: work.solve("ada"), [0, 0, 0], "exercises 1, 2 and 3 fit the numbers of Ada (ada)"),
@@ -135,6 +141,7 @@ CLASS: dict[str, tuple[Callable[[Work], None] | None, list[int], str]] = {
     "hal": (changes_the_package, [0, 0, 0], ""),
     "ivy": (turns_to_magic, [1, 1, 2], ""),
     "jo": (copies_one_answer, [1, 1, 0], "exercise 3 fits the numbers of Ada (ada)"),
+    "kim": (hands_in_another, [0, 0, 0], "check 1 is that of Ada (ada)"),
 }
 """What each student does, her points, and what the teacher is told of it."""
 
@@ -158,7 +165,7 @@ def graded(folder: Path, made: Assignment, *options: str) -> tuple[dict[str, lis
 
 
 @pytest.mark.parametrize(
-    "ids", [["ada", "bob", "cleo", "dora"], pytest.param([*CLASS], marks=pytest.mark.slow)], ids=["four", "ten"]
+    "ids", [["ada", "bob", "cleo", "dora"], pytest.param([*CLASS], marks=pytest.mark.slow)], ids=["four", "eleven"]
 )
 def test_a_class(ids: list[str], tmp_path: Path) -> None:
     """Right answers get all points, copied ones none, and the page says whose numbers they fit."""

@@ -12,7 +12,7 @@ from edugym_course.grading.learners import Learner
 from edugym_course.grading.programs import run_program, shape_of
 from edugym_course.grading.replay import replay
 from edugym_course.grading.small_world import LAYERS, WIDTH, SmallWorld
-from edugym_course.grading.surprises import Row, Surprises, likeliest, refusal
+from edugym_course.grading.surprises import Row, Surprises, likeliest, refusal, usual_refusal
 from edugym_course.lessons.depth.slips import DISCOUNT, N, slips
 from edugym_course.lessons.depth.targets import EPSILON
 
@@ -101,6 +101,7 @@ def require_cuts(program: Any, seed: int) -> None:
     sentences, learners = zip(*CUT_MISTAKES.items(), strict=True)
     highest = math.log(1 - EPSILON + EPSILON / shape[1])
     number, rows = likeliest([found(learner) for learner in learners], len(steps), highest)
+    where, too_many = "small worlds whose episodes may be truncated", CUT_SIGMAS * right.deviation
     cause = (
         "So look at episodes that are truncated: all pairs that are left learn from the k rewards that there are, with"
         " the weights 1, γ, ..., and then, if you like, from γᵏ times a value of the state that the last step gave"
@@ -108,6 +109,6 @@ def require_cuts(program: Any, seed: int) -> None:
     slip = Surprises.of(rows)
     is_slip = slip.explains_better_than(right)
     if is_slip and slip.too_many < CUT_SIGMAS * slip.deviation:
-        cause = f"They fit a usual mistake where an episode is truncated: {sentences[number]}"
-    if is_slip or right.too_many > CUT_SIGMAS * right.deviation:
-        raise refusal("small worlds whose episodes may be truncated", EPSILON, right, cause)
+        raise usual_refusal(where, EPSILON, right, sentences[number], "where an episode is truncated, ")
+    if is_slip or right.too_many > too_many:
+        raise refusal(where, EPSILON, right, cause)

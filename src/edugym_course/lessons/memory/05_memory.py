@@ -6,7 +6,7 @@
 #
 # **You will be able to** say what makes an observation different from a state; turn a table that forgets into one that
 # remembers, with a window; compute how long that window must be; explain why an agent should remember its own actions;
-# and write a memory with 16 rows that does better than a window with millions.
+# and write a memory with a table of 16 rows that does better than a window with millions.
 #
 # **Time.** {time} **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2). For
@@ -279,12 +279,11 @@ sliders(
 # - With $\varepsilon = 0$ it ends at 6.5. In each row the first door that was right gets a value above 0. All others
 #   stay at 0, so the agent never tries them there. With any other ε of the slider it tries them, and 0.5 ends
 #   at 7.1 too.
-# - With $\alpha = 1$ it ends at 5.4. A value is then the last target itself: after one error it is 0, and all that came
-#   before is forgotten.
+# - With $\alpha = 1$ it ends at 5.4, and with 0.99 at 6.9. At exactly 1 a single error makes a value 0, and its door is
+#   then tied with others.
 # - With $\gamma = 0$ it ends at 7.1.
 #
-# Why does γ hardly matter? Every right door is rewarded at once. An agent with $\gamma = 0$ cares for the next reward
-# alone, and opens the same doors. The difficulty of this task is not that rewards come late, but that the *information*
+# Why does γ hardly matter? Every right door is rewarded at once. The difficulty of this task is not that rewards come late, but that the *information*
 # comes early and is needed late. </details>
 
 # %% [markdown]
@@ -345,8 +344,8 @@ figures.twin_figure(4, 4, actions=True)
 # It must also know the length of the corridor. Two marks would tell it: the last two are as many steps apart as the
 # previous corridor is long.
 #
-# The two marks take $2L - 3$ observations (the aside below counts them), the last walk takes $L$, and the window must
-# hold both:
+# The two marks take $2L - 3$ observations (the aside below counts them), and the last walk takes $L$. Both end at the
+# present, so the longer one counts:
 #
 # $$
 # k = \max(L,\; 2L - 3)
@@ -368,10 +367,10 @@ for length in range(3, 9):
 # ### Aside: where the law with actions comes from
 # Say that corridor $L$ is the longest one that must be played without an error.
 #
-# - In every *shorter* corridor the agent must see two marks, to know its length: with one alone, two corridors look the same where their doors agree (in corridors 1 and 2 the copies at the start stand in for one). That is hardest at the last unmarked
-#   place of corridor $L - 1$, where the second last mark lies $2L - 4$ steps back. (The lower picture above is this moment
-#   for $L = 4$: one more entry, four steps back, would show the mark of step 0.) With the present observation that makes
-#   $2L - 3$.
+# - In every *shorter* corridor the agent must see two marks, to know its length: with one alone, two corridors look the
+#   same where their doors agree. That is hardest at the last unmarked place of corridor $L - 1$, where the second last
+#   mark lies $2L - 4$ steps back. (The lower picture above is this moment for $L = 4$: one more entry, four steps back,
+#   would show the mark of step 0.) With the present observation that makes $2L - 3$.
 # - In corridor $L$ itself one mark is enough. In all shorter corridors the agent sees two, so a single one means
 #   corridor $L$.
 
@@ -503,7 +502,7 @@ figures.twin_figure(8, 6, actions=True)
 # 1. Every right door of corridors 6 and 7 is still *in* the window of 7: it was opened 5 or 6 steps ago. What is
 #    missing (except at the first place of corridor 6) is the second last mark, which tells how long the corridor is.
 # 2. The actions tell it as well, most of the time. In a corridor of length $L$, each door that the agent has just
-#    opened on this walk is the door that it opened $L - 1$ steps before. A wrong length fits only by chance, in one
+#    opened on this walk is the same as the one opened $L - 1$ steps before it. A wrong length fits only by chance, in one
 #    case of three for each door that can be compared. In the last figure it fits, and even a window of 8 is not enough:
 #    nearly all doors are door 0.
 # 3. Where nothing tells the length, a guess is still right in some of the episodes.

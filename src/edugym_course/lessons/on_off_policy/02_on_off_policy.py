@@ -143,7 +143,8 @@ print("return of the last episode:", total)
 # %% [markdown]
 # And this is the loop that really runs when you call `train` or `repeat`. It asks the rules of the road themselves, `mdp`,
 # and not an environment of Gymnasium. Look for the line in which $A'$ is chosen: it stands before `agent.learn`. (`log` adds
-# up the returns of the training episodes, and `carry` is where the loop goes on when it is called again.)
+# up the returns of the training episodes, and `carry` is where the loop goes on when it is called again. A `learn`
+# without `truncated`, as that of SARSA, does not get it.)
 
 # %%
 source(loops.on_policy)
@@ -230,7 +231,7 @@ display(figures.learning_curves(edge))
 greedy = {method: edge.final(method).mean() for method in edge.methods}
 exploring = {method: methods.online(edge, method).mean() for method in edge.methods}
 for method in edge.methods:
-    print(f"{method:14}: greedy {greedy[method]:.2f}, while exploring {exploring[method]:.2f} (second half)")
+    print(f"{method:14}: greedy {greedy[method]:.2f}, exploring {exploring[method]:.2f} (second half of training)")
 leaders = [max(("Q-learning", "SARSA"), key=returns.get) for returns in (greedy, exploring)]
 if leaders[0] == leaders[1]:
     seen = f"{leaders[0]} is ahead in both returns"
@@ -242,9 +243,8 @@ ahead.measured(seen)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Each wins one of the two. Without slips Q-learning reaches the optimum, −2, and SARSA takes one step more,
-# −3. While they explore, SARSA earns about −7.3 a run, as much as the best ε-soft policy, and Q-learning only −9. The
-# lines of SARSA and of expected SARSA lie on each other. Each method is best at what it learns: Q-learning has the values
-# of a runner that never slips, and the other two have the values of a runner that does.
+# −3. While they explore, SARSA earns about −7.3 a run, as much as the best ε-soft policy, and Q-learning only −9. Q-learning
+# has the values of a runner that never slips, and the other two those of one that does.
 # </details>
 
 # %% [markdown]
@@ -302,6 +302,7 @@ sliders(
 #   Q-learning is ahead.
 # - **ε.** The gap is about 3 from $\varepsilon = 0.2$ to 0.4, and 2.3 at 0.5.
 # - **W.** On $W = 5$, 7 and 9 all three learn the same run.
+# - **γ.** It hardly changes the gap.
 # - **α.** With $\alpha = 1$ most runs of SARSA do not even reach the target.
 # </details>
 
@@ -403,7 +404,7 @@ print(f"at position 6 with speed 3, the last state of the fast run, SARSA's valu
 # %% [markdown]
 # SARSA believes that from there the fast run is worth about −1.3. For an agent that slips with $\varepsilon = 0.01$ it
 # is worth −0.34 from there, as expected SARSA has found. (The 0 of Q-learning is that of an agent that never slips.) We
-# think that SARSA was unlucky, and takes long to get over it. After a slip in the last state of the fast run SARSA
+# think that SARSA was unlucky, and takes long to get over it. After a deadly slip in the last state of the fast run SARSA
 # has $A'$ = faster in its target, and $Q(S', A')$ is far below 0, here −48. So the value of the action that leads
 # into this state drops at once by $\alpha \cdot 48$, about 1.4. The two runs differ by less than 1, so from
 # now on the safe run looks better. The agent then tries the fast run only when it slips into it, and each such try
@@ -509,9 +510,9 @@ on_ice.measured(likely if often[likely] > 0.5 else "neither, in most runs")
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** The safe run, every time. Q-learning leaves out its *own* slips, those of the behaviour policy. The
+# **Measured.** The safe run, in all ten runs. Q-learning leaves out its *own* slips, those of the behaviour policy. The
 # slips of the road are part of the task: they are in every reward and every next state that it sees. The last two
-# lines are equal, since a value does not care who slips. But the slips of an agent end when it stops exploring, and
+# lines are equal, since a value does not care who slips. But an agent's slips end when it stops exploring, and
 # the ice stays.
 # </details>
 
@@ -598,9 +599,9 @@ stop.measured(np.mean(methods.stopping_places(zone, "SARSA", stop_zone=2)))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Between 8 and 9. Q-learning always stops at the edge, and SARSA before it, in cell 8, in more than half of
-# its runs. This is the picture that the paper draws of the two. Expected SARSA stops in cell 8 in all its runs, which
+# its runs. This is the paper's picture of the two. Expected SARSA stops in cell 8 in all its runs, which
 # is the best for $\varepsilon = 0.2$. The other runs of SARSA were unlucky again, we think: the two ways part at position 1, where
-# their values differ by 0.5, and one slip can take 2 or 3 off the better one. With $\alpha = 0.003$ all but one stop in cell 8.
+# their values differ by 0.5, and one slip often takes 1 or 2 off the better one. With $\alpha = 0.003$ all but one stop in cell 8.
 # </details>
 
 # %% [markdown]
@@ -764,8 +765,8 @@ display(
 # ### The open challenge: every fall counts
 # The same road, and 5 000 steps in all, about a thousand runs. This time *all* training episodes count, with every fall and
 # every stall: how much does your agent earn while it learns? Of the task it is told only its observation space and its
-# action space. It needs `act` and `learn`, like yours of exercise 3, and it may explore as it likes. It is trained ten
-# times, with seeds that belong to your name.
+# action space. It needs `act` and `learn`, like yours of exercise 3 (`table_size(road)` is the shape of its table),
+# and it may explore as it likes. It is trained ten times, with seeds that belong to your name.
 #
 # No run is better than −2. Your points are that number divided by the mean return of your agent, in percent: an agent
 # that earns −4 a run gets 50. The three methods of the lesson, with $\varepsilon = 0.1$ and $\alpha = 0.1$, are the
@@ -846,8 +847,8 @@ check(project_2, my_program)
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A learning agent follows one policy, its behaviour policy,
 # and learns the values of one, its target policy. If they are the same, the method is on-policy: SARSA and expected
-# SARSA learn what their own exploring costs, and stay away from where a slip is deadly. If they differ, it is
-# off-policy: Q-learning learns the best run for an agent that never slips, and pays for it while it still does. What
+# SARSA learn what their own exploring costs, and stay away from the edge if they slip often. If they differ, it is
+# off-policy: Q-learning learns the best run for an agent that never slips, and pays for it while it slips often. What
 # is best depends on how often the agent will slip when it matters. SARSA draws its next action at random, which adds
 # noise; expected SARSA takes the mean, and can evaluate any policy.
 #

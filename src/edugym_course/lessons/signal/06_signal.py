@@ -222,7 +222,7 @@ sliders(pictures.bits_axis, tau=(0.0, 0.2, 0.01))
 # | evaluation | the mean of 10 greedy episodes, every 10 000 steps |
 # | repetitions | 20; bands are 95 % intervals |
 #
-# (A larger rate ends lower: try 0.3 in "Your turn".) The
+# (A rate of 0.3 ends lower: try it in "Your turn".) The
 # dashed line is the optimum, 6 707, computed by planning with the whole state. (Further down `methods.learn` makes the
 # call of this experiment, with other settings.)
 #
@@ -359,8 +359,8 @@ longer.measured(
 # 4 % of the way to its target. So a larger table needs a larger learning rate, or more time: with $\alpha = 0.2$ four
 # words are ahead of one already. In the end $\alpha = 0.05$ is best (a larger rate keeps
 # values noisy: lowered halfway, it ends higher). None gets as far as the vote, which knows what each word means, and that
-# neither the *order* of the words nor the hit points matter. The hit points cost most: where they are hidden, Q-learning
-# gets 1 830 after 1 600 000 steps ($\alpha = 0.02$, 8 runs), as much as the vote.
+# neither the *order* of the words nor the hit points matter. With $\alpha = 0.02$ the hit points cost most: where they
+# are hidden, Q-learning gets 1 830 after 1 600 000 steps (8 runs), as much as the vote.
 # </details>
 
 # %% [markdown]
@@ -385,7 +385,7 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
 # - **Left.** With one word Q-learning makes nearly full use of it: its line lies nearly on that of obeying. At $\tau = 0.02$ half a
 #   bit brings nine tenths of the return.
 # - **Right.** The vote turns longer messages into return: 28 words at $\tau = 0.1$ are worth nearly as much as one word at
-#   0.02, which carries the same half bit. Whoever obeys the first word leaves the others unused.
+#   0.02. Whoever obeys the first word leaves the others unused.
 # - Two words carry nearly twice as much as one, and the vote gets nothing out of it. If they disagree it can only guess.
 # - After 200 000 steps Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
 #
@@ -426,7 +426,7 @@ ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * methods.OPTIM
 # **Measured.** No more than random actions. Each row has one greedy answer. At 100 hit points, where the toy begins, "play
 # or feed" is always answered with play, say. Then the toy is not fed, wants to be fed again, says "play or feed", and is
 # played with, until its hit points fall. With other hit points the answers are others, but fixed as well, and the toy soon
-# dies. With noise the word is *sometimes* right about each need. Here it never tells the two needs of a word apart.
+# dies. With four words and noise the word is *sometimes* right about each need. Here it never tells the two needs of a word apart.
 #
 # Tossing a coin between the two meanings is better: each need is met now and then. Where the state is hidden and nothing
 # is remembered, a random policy can be better than every deterministic one (Singh, Jaakkola and Jordan, 1994). With a
@@ -623,7 +623,7 @@ lake.measured({0: "on neither", 2: "on both"}.get(len(better), f"on {''.join(bet
 # <details><summary>What was measured</summary>
 #
 # **Measured.** On firm ice only. There the six steps are always right, and every look into the fog can mislead. On
-# slippery ice the blind player does not know where it is after its first step, and a signal, even a foggy one, is
+# slippery ice the blind player does not know where it is after its first step, and a signal with this little fog is
 # worth more than its plan.
 # </details>
 
@@ -715,7 +715,7 @@ display({f"τ = {tau}": round(float(bits_in(joint_table(tau))), 3) for tau in (0
 #
 # `observation[0]` are the hit points, and the words follow: `observation[1]`, `observation[2]`, ... A word $k$ names
 # need `k % 4`. In the figure below the check it stands beside the vote, at $\tau = 0.1$. (Your player is compiled for
-# each length of messages, which takes some 20 seconds. Functions that cannot be compiled, such as
+# each length of messages, which takes some 10 to 20 seconds. Functions that cannot be compiled, such as
 # `np.bincount`, are right too; they take a minute.) Before you run it: with how many words will
 # the gain in return be largest?
 #
@@ -780,9 +780,9 @@ display(figures.race({"my listener": Listener.create}))
 # <details><summary>What the race shows</summary>
 #
 # The listener is above the vote at every length. The gain is largest in the middle: with four words it gets some 1 000
-# more. With one word its memory helps only when the word names what it has just done: then the word is probably
-# wrong, and it guesses among the other three. With 28 words the gain is small, since the message alone tells nearly
-# enough.
+# more. (On this calm toy taking turns beats both. On the moody toy below it fails.) With one word its memory helps only
+# when the word names what it has just done: then the word is probably wrong, and it guesses among the other three. With
+# 28 words the gain is small, since the message alone tells nearly enough.
 # </details>
 
 # %% [markdown]
@@ -815,7 +815,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # %% [markdown]
 # ### From a blank file
 # Now write it all yourself, from an empty cell, with NumPy and Gymnasium only: a listener that learns what the words
-# mean, and its loop, some 30 lines. A table learns every message for itself. Your listener has a weight $\theta_{w,a}$
+# mean, and its loop, some 30 lines. Your listener has a weight $\theta_{w,a}$
 # for each word $w$ and each action $a$, and what it learns of a word it knows in every message. Of a message it keeps
 # only $x_w(o)$, how often word $w$ occurs in it, divided by its length $L$. The value of an action is linear in these
 # shares, and the weights of the action that was taken move along their gradient (Sutton and Barto, sections 9.3 and

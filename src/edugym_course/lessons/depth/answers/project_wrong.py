@@ -127,7 +127,7 @@
 
 # %% nothing where the clock stops
 # slow
-# says: They fit a usual mistake where an episode is truncated: nothing is learned from such an episode: all its pairs have the rewards that there are
+# says: where an episode is truncated, the actions of my_program fit a usual mistake: nothing is learned from such an episode: all its pairs have the rewards that there are
 # in: when the episode is over
 # - for tau in range(len(episode)):
 # + for tau in range(len(episode) if terminated else 0):
@@ -307,35 +307,35 @@
 
 # %% γⁿ for all values where the clock stops
 # slow
-# says: They fit a usual mistake where an episode is truncated: a value after k < n rewards has the weight γⁿ, and it should be γᵏ
+# says: where an episode is truncated, the actions of my_program fit a usual mistake: a value after k < n rewards has the weight γⁿ, and it should be γᵏ
 # in: a value also where the clock stops
 # - G += 0.8 ** (last - tau) * Q[S[last], A[last]]
 # + G += 0.8**n * Q[S[last], A[last]]
 
 # %% no discount where the clock stops
 # slow
-# says: They fit a usual mistake where an episode is truncated: the value is not discounted: after k rewards it has the weight γᵏ
+# says: where an episode is truncated, the actions of my_program fit a usual mistake: the value is not discounted: after k rewards it has the weight γᵏ
 # in: a value also where the clock stops
 # - G += 0.8 ** (last - tau) * Q[S[last], A[last]]
 # + G += (1.0 if truncated else 0.8**n) * Q[S[last], A[last]]
 
 # %% γ where the clock stops
 # slow
-# says: They fit a usual mistake where an episode is truncated: the value has the weight γ, and after k rewards it should be γᵏ
+# says: where an episode is truncated, the actions of my_program fit a usual mistake: the value has the weight γ, and after k rewards it should be γᵏ
 # in: a value also where the clock stops
 # - G += 0.8 ** (last - tau) * Q[S[last], A[last]]
 # + G += (0.8 if truncated else 0.8**n) * Q[S[last], A[last]]
 
 # %% the last reward where the clock stops
 # slow
-# says: They fit a usual mistake where an episode is truncated: the last reward is lost there
+# says: where an episode is truncated, the actions of my_program fit a usual mistake: the last reward is lost there
 # in: three steps later
 # - R.append(r)
 # + R.append(0.0 if truncated else r)
 
 # %% the value of the last pair where the clock stops
 # slow
-# says: They fit a usual mistake where an episode is truncated: the value is that of the last pair, and it should be one of the state that the last step gave
+# says: where an episode is truncated, the actions of my_program fit a usual mistake: the value is that of the last pair, and it should be one of the state that the last step gave
 # in: a value also where the clock stops
 # - G += 0.8 ** (last - tau) * Q[S[last], A[last]]
 # + where = last - 1 if over else last
@@ -343,7 +343,7 @@
 
 # %% the value of the first state where the clock stops
 # slow
-# says: They fit a usual mistake where an episode is truncated: the value is that of the state after the reset; it should be that of the state which the last step gave
+# says: where an episode is truncated, the actions of my_program fit a usual mistake: the value is that of the state after the reset; it should be that of the state which the last step gave
 # in: a value also where the clock stops
 # - S.append(s)
 # + if truncated:
@@ -355,7 +355,7 @@
 
 # %% rewards without a discount where the clock stops
 # slow
-# says: They fit a usual mistake where an episode is truncated: the rewards are not discounted there: they have the weights 1, γ and γ²
+# says: where an episode is truncated, the actions of my_program fit a usual mistake: the rewards are not discounted there: they have the weights 1, γ and γ²
 # in: three steps later
 # - G = sum(0.8**k * r for k, r in enumerate(R[tau : tau + n]))
 # + G = sum(r if truncated else 0.8**k * r for k, r in enumerate(R[tau : tau + n]))
@@ -369,7 +369,7 @@
 
 # %% nothing more where the clock stops
 # slow
-# says: They fit a usual mistake where an episode is truncated: nothing is learned there: all pairs that are left have the rewards that there are
+# says: where an episode is truncated, the actions of my_program fit a usual mistake: nothing is learned there: all pairs that are left have the rewards that there are
 # in: three steps later
 # - if tau < 0 or (over and tau < len(R) - n):
 # + if tau < 0 or truncated or (over and tau < len(R) - n):

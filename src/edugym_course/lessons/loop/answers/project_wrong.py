@@ -58,7 +58,7 @@ my_program = ...
 # %% no future
 # slow
 # says: γ max_a Q(S', a), the value of the next state, is missing in the target
-# says: They fit a usual mistake:
+# says: fit a usual mistake:
 # in: ε-greedy written out
 # - target = reward if terminated else reward + 0.99 * Q[next_state].max()
 # + target = reward

@@ -25,7 +25,7 @@ words = 0.4 / information(0.1)
 words = max(L for L in range(1, 40) if information(0.1, L) < 0.4)
 
 # %% one too many
-# says: one word less is enough; is the comparison `<`, and the count read before it grows?
+# says: one word less is enough: does the search stop one too late?
 words = 1
 while information(0.1, words - 1) < 0.4:
     words += 1

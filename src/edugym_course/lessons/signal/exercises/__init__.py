@@ -120,7 +120,7 @@ def exercise_1(answer: Any, seed: int, enough: Enough = ENOUGH) -> str:
             f"that is {enough:g} divided by the bits of one word; {REPEATED}": math.ceil(enough / one),
             f"that is {enough:g} divided by the bits of one word, rounded down; {REPEATED}": math.floor(enough / one),
             f"that is the last length that carries less than {enough:g} bit; one word more is enough": right - 1,
-            "one word less is enough; is the comparison `<`, and the count read before it grows?": right + 1,
+            "one word less is enough: does the search stop one too late?": right + 1,
             "that is the longest message of this lesson, and fewer are enough": 28,
             "that is the answer for τ = 0.05": _fewest(0.05, enough),
             "that is where *half* a bit is reached": _fewest(0.1, 0.5),

@@ -107,6 +107,15 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * (w * target - self.Q[state, action])
 
 
+# %% the weight alone
+# says: δ is missing in the step, which is α times the weight times δ
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state])
+    delta = reward + self.discount * value - self.Q[state, action]
+    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
+    self.Q[state, action] += self.learning_rate * w
+
+
 # %% minus
 # says: the sign is wrong: it moves away from the target
 def learn(self, state, action, reward, next_state, terminated):

@@ -50,7 +50,7 @@
 
 # %% no brackets
 # slow
-# says: They fit a usual mistake:
+# says: fit a usual mistake:
 # says: − Q(S, A) is missing at the end of an episode: put brackets around `... if terminated else ...`
 # in: the weight in one line
 # - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
@@ -164,7 +164,7 @@
 
 # %% the reward is discounted
 # slow
-# says: They fit a usual mistake: the reward is discounted, and γ should stand before the value of the next state alone
+# says: fit a usual mistake: the reward is discounted, and γ should stand before the value of the next state alone
 # in: the weight in one line
 # - delta = r + 0.9 * (1 - over) * Q[s2].max() - Q[s, a]
 # + delta = (r if over else 0.9 * (r + Q[s2].max())) - Q[s, a]
@@ -185,7 +185,7 @@
 # + Q[s, a] += 0.4 * 2 / (1 + np.exp(0.4 * delta)) * delta
 
 # %% the state before the end
-# says: They fit a usual mistake: after an end the program goes on from the state that it left last: state, info = environment.reset() gives the first state of the new episode
+# says: fit a usual mistake: after an end the program goes on from the state that it left last: state, info = environment.reset() gives the first state of the new episode
 # in: the weight in one line
 # - s = environment.reset()[0] if over or cut else s2
 # + if over or cut:

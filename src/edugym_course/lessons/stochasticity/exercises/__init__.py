@@ -209,9 +209,9 @@ def two_weights_update(tables: Tables, now: Transition, *, kappa: float, weigh: 
         "both": good + bad if delta > 0 else bad,
         "with the size": 1 - kappa * delta,
     }.get(weigh)
-    if weight is None:  # "on the target": w (R + ...) - Q(S, A)
-        weight, delta = 1.0, (good if delta > 0 else bad) * target - old
-        new = old + rate * delta
+    if weight is None:
+        its_own = good if delta > 0 else bad
+        weight, new = 1.0, old + rate * {"without δ": its_own, "on the target": its_own * target - old}[weigh]
     base = 0.0 if step in ("only", "only difference") else old
     Q[entry] = base + weight * (new - base)
 
@@ -242,6 +242,7 @@ WEIGHT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "nothing is learned from good surprises; they weigh 1 − κ": {"weigh": "only bad"},
     "nothing is learned from bad surprises; they weigh 1 + κ": {"weigh": "only good"},
     "the weight belongs to the whole δ, not to the target alone": {"weigh": "on the target"},
+    "δ is missing in the step, which is α times the weight times δ": {"weigh": "without δ"},
     "a good surprise is learned from twice, with both weights: is an `else` missing?": {"weigh": "both"},
     "the weight is 1 − κδ; it should depend on the sign of δ only, whatever its size": {"weigh": "with the size"},
 }
