@@ -6,6 +6,7 @@ import os
 import random
 import shutil
 import signal
+import subprocess
 import sys
 import tempfile
 import threading
@@ -112,3 +113,19 @@ def figures_are_closed() -> Iterator[None]:
     yield
     if pyplot := sys.modules.get("matplotlib.pyplot"):
         pyplot.close("all")
+
+
+@pytest.fixture(scope="session")
+def axe(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """The accessibility checker of Deque, from npm."""
+    folder = tmp_path_factory.mktemp("axe")
+    try:
+        fetched = subprocess.run(
+            ["npm", "pack", "--silent", "axe-core@4"], cwd=folder, capture_output=True, text=True, timeout=120
+        )
+    except (FileNotFoundError, subprocess.TimeoutExpired):
+        pytest.skip("npm is not there")
+    if fetched.returncode != 0:
+        pytest.skip("axe-core cannot be reached")
+    shutil.unpack_archive(folder / fetched.stdout.strip(), folder, "gztar")
+    return (folder / "package" / "axe.min.js").read_text(encoding="utf-8")

@@ -221,8 +221,8 @@ who.measured(who.options[options.get(close, 3)])
 # comes down slowly. (It is known to reach the equilibrium of zero-sum games of one move, but not, in this form,
 # of games of many steps.)
 #
-# The returns are about 0 for all: what one of a pair wins the other
-# loses. Who judges these players by their learning curves sees no difference. Only a *stranger* finds out who is not safe.
+# The returns are about 0 for all: both of a pair are equally good. Who judges these players by their learning curves
+# sees no difference. Only a *stranger* finds out who is not safe.
 # </details>
 
 # %% [markdown]
@@ -251,10 +251,16 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: with a learning rate of 0.1 and $\varepsilon = 0.1$ both end up talking, and the
-# exploitability comes to 0 (up to 4 that may take longer; without exploration some pairs stay silent). With a learning rate of 0.5 or more, or $\varepsilon = 0.3$ or more, some pairs change their minds again and again. So, above 3, learning alone is harmless, but not good: both get 1, and could
-# have 3. An equilibrium says that nobody gains *alone*, and no more. At 3 and below there are two equilibria without chance, both silent and both talking, and with $\varepsilon = 0.1$ it depends on
-# the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they preferred after 20 games. Most end up talking: eight of the ten pairs with a temptation of 2. (Not so with $\varepsilon = 0.5$: with a temptation of 1.5 most pairs end up silent. At step 0 all values are equal, and the policies are estimated from 100 draws.)
+# Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: with a learning rate
+# of 0.1 and $\varepsilon = 0.1$ both end up talking, and the exploitability comes to 0 (up to 4 that may take longer;
+# without exploration some pairs stay silent). With a learning rate of 0.4 or more many pairs change their minds now and
+# then. So, above 3, learning alone is harmless, but not good: both get 1, and could have 3. An equilibrium says that
+# nobody gains *alone*, and no more.
+#
+# At 3 and below there are two equilibria without chance, both silent and both talking, and with $\varepsilon = 0.1$ it
+# depends on the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they
+# preferred after 20 games. Most end up talking: eight of the ten pairs with a temptation of 2. (At step 0 all values are
+# equal, and the policies are estimated from 100 draws.)
 # </details>
 
 # %% [markdown]
@@ -367,7 +373,7 @@ in_turns.measured(in_turns.options[0 if end < 0.1 else 1 if end < 0.2 else 2])
 #
 # **Measured.** Less than 0.1. Both learn, the world changes for each of them, and
 # the other matters. But in every state one action by itself is safe.
-# So learning as if alone is not wrong in itself. (A step is the move of one player here, so $\gamma = 0.9$ discounts a round twice; with $\sqrt{0.9}$ it is 0.09.)
+# So learning as if alone is not wrong in itself. (A step is the move of one player here, so $\gamma = 0.9$ discounts a round twice; with $\sqrt{0.9}$ it is 0.09, and random play has 0.58.)
 #
 # In the figure minimax Q-learning is still at 0.15 after a million steps. Why? It learns the value of each pair of actions, five times five in each state, and in turns only the five of one player count.
 # The green line tests this: here it is told whose turn it is, and learns from each step for all five actions of the one whose action does
@@ -421,10 +427,11 @@ pupil.measured(pupil.options[0 if end < 0.05 else 1 if end < 0.3 else 2])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** More than 0.3: three quarters of what it wins from random play. Nobody can win from a safe teacher, and the pupil
-# loses hardly anything to it in these three runs. But in nearly half of the states it does not play a best answer, not even to the teacher. In two thirds of these it has never been: all its values there are still 1, and it draws any action. The other third it seldom visits:
-# against its teacher 3 to 5 % of its steps begin there (without random actions). A challenger leads it into states of both kinds in 9 to 42 % of the steps. With best answers to the teacher in all states it would still lose about 0.15 (the line printed last), since such an answer need not be safe. So a world that stands still was not enough: a safe teacher
-# does not make a safe pupil.
+# **Measured.** More than 0.3: most of what it wins from random play. Nobody can win from a safe teacher, and the pupil
+# loses hardly anything to it in these three runs. But in nearly half of the states it does not play a best answer, not
+# even to the teacher. In two thirds of these it has never been: all its values there are still 1, and it draws any
+# action. With best answers to the teacher in all states it would still lose about 0.15 (the line printed last), since
+# such an answer need not be safe. So a world that stands still was not enough: a safe teacher does not make a safe pupil.
 # </details>
 
 # %% [markdown]
@@ -531,7 +538,7 @@ check(exercise_3, learn, seed=1, quiet=True)
 # - Take $\gamma = 0.9$, a learning rate of 0.2, first values of 0, and one random action in five for each player, drawn for each of them. Player 0 draws its other actions from the policy of the rows, and player 1 from that of the columns.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# The check lets your program learn nine small games, one of them with chance in it, and computes exactly what the best opponent wins from your policy in each state. It accepts a policy from which this opponent wins at most 0.2 points more than from a safe one, in every state; payoffs go up to 24. It does not look
+# The check lets your program learn nine small games, one of them with chance in it, and computes exactly what the best opponent wins from your policy in each state. It accepts a policy from which this opponent wins at most 0.2 points more than from a safe one, in every state. It does not look
 # at your code. So the mistake that it names is only the likely one.
 
 # %% tags=["project"]

@@ -236,7 +236,7 @@ my_problem = Fine()
 
 # %% a pile without a limit
 # says: observation of Dishes must return an element of MultiDiscrete([7 4]), but returned (4, 4) for state (4, 4)
-# says: : is the space large enough, and is `terminal` True in time?
+# says: : is it made of whole numbers, is the space large enough, and is `terminal` True in time?
 class Dishes(NamedTuple):
     """Wash up, or let the dishes pile up: the state is (evening, pile)."""
 

@@ -166,7 +166,9 @@ def exercise_4(answer: Any, seed: int, price: Price = None) -> str:
         except ValueError as error:
             if "element" not in str(error):
                 raise
-            raise WrongAnswer(f"{error}: is the space large enough, and is `terminal` True in time?") from None
+            raise WrongAnswer(
+                f"{error}: is it made of whole numbers, is the space large enough, and is `terminal` True in time?"
+            ) from None
     model = values.model
     policy, live = values.greedy_policy(), ~model.terminal
     with student_code("my_problem"), told_as_wrong():

@@ -1,0 +1,115 @@
+"""A lesson in JupyterLab without a mouse, in a light and in a dark theme: keys reach what a student uses."""
+
+import importlib.util
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import nbformat
+import pytest
+from nbformat.v4 import new_code_cell, new_notebook
+
+from tests.course.lab.browser import CHROMIUM, DRIVER, PANEL, Page, chromium, running_lab, until
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(
+        not (CHROMIUM and DRIVER and importlib.util.find_spec("selenium")),
+        reason="needs Chromium, chromedriver and Selenium; CONTRIBUTING.md says how to install them",
+    ),
+]
+
+CELLS = (
+    """
+import numpy as np
+
+from edugym.experiments.figures import Lines, Sheet
+from edugym_course.notebook import frames, play, predict, sliders, source
+
+
+def waves(speed=1.0):
+    x = np.arange(9.0)
+    return Sheet("waves", [[Lines(x, {"wave": np.sin(speed * x)})]])
+
+
+which = predict("Which one is higher?", ["the first", "the second", "neither"])
+which""",
+    'height = predict("How high does it get?", unit="grips")\nheight',
+    "sliders(waves, speed=(0.5, 2.0))",
+    'play("Casino")',
+    'frames("Study", [0, 1])',
+    'print(which.measured("the second"), height.measured(1.4))',
+    "source(frames)",
+)
+ANSWERS = 5
+"""The number of the cell that compares the predictions with what was measured."""
+NAMELESS = {"aria-input-field-name", "button-name"}
+"""axe's rules that ipywidgets breaks: the handle of a slider and the buttons of a film have no name; see the statements
+in docs."""
+FAULTS = f"""axe.run([...{PANEL}.content.node.querySelectorAll('.jp-OutputArea')]).then(found => arguments[0](
+    found.violations.map(fault => [fault.id, fault.nodes.map(node => node.html)])))"""
+
+
+@pytest.fixture(scope="module", params=["Light", "Dark"])
+def page(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+    """A notebook with each kind of widget, run to its end, on a screen that shows all of it."""
+    folder = tmp_path_factory.mktemp("access")
+    metadata = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
+    with running_lab(folder, f"JupyterLab {request.param}") as lab, chromium() as driver:
+        notebook = new_notebook(cells=[*map(new_code_cell, CELLS)], metadata=metadata)
+        nbformat.write(notebook, Path(folder, "lessons", "all.ipynb"))
+        screen = {"width": 1400, "height": 5000, "deviceScaleFactor": 1, "mobile": False}
+        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+        page = Page(driver, lab, "all.ipynb")
+        page.run_all()
+        page.widgets()
+        yield page
+
+
+def press(page: Page, cell: int, selector: str, *keys: str) -> Any:
+    """Give the focus to an element of a cell, press keys, and return the element that has the focus then."""
+    from selenium.webdriver import ActionChains
+
+    element = page(f"{PANEL}.content.widgets[{cell}].node.querySelector('.jp-OutputArea {selector}')")
+    page.reach(element)
+    page("arguments[0].focus()", element)
+    ActionChains(page.driver).send_keys(*keys).perform()
+    return page("document.activeElement")
+
+
+def test_predictions(page: Page) -> None:
+    """Tab reaches each option, the space bar takes it, and a number is typed."""
+    from selenium.webdriver.common.keys import Keys
+
+    chosen = press(page, 0, "input[type=radio]", Keys.TAB, Keys.SPACE)
+    until(chosen.is_selected, "the second option", 10)
+    press(page, 1, "input[type=text]", "1.5", Keys.TAB)
+    page(f"void ({PANEL}.content.activeCellIndex = {ANSWERS})")
+    answers = f"JSON.stringify({PANEL}.content.model.cells.get({ANSWERS}).outputs.toJSON())"
+    page.command("notebook:run-cell")
+    until(lambda: "Measured: the second, as you predicted. You predicted 1.5 grips." in page(answers), "both", 10)
+
+
+def test_sliders_films_and_games(page: Page) -> None:
+    """Arrows move a slider, the space bar plays a film and a game."""
+    from selenium.webdriver.common.keys import Keys
+
+    for cell, selector, key in (
+        (2, ".noUi-handle", Keys.ARROW_RIGHT),
+        (4, ".noUi-handle", Keys.ARROW_RIGHT),
+        (4, "button", Keys.SPACE),
+        (3, "button:enabled", Keys.SPACE),
+    ):
+        box = page(f"{PANEL}.content.widgets[{cell}].node.querySelector('.jp-OutputArea .widget-vbox')")
+        before = page.picture(box) + page.text(box)
+        press(page, cell, selector, key)
+        until(lambda box=box, before=before: page.picture(box) + page.text(box) != before, f"{key} in {cell}", 30)
+        assert page.errors(box) == []
+
+
+def test_what_is_shown_can_be_read_by_everybody(page: Page, axe: str) -> None:
+    """No output breaks axe's rules, that of contrast among them, but for names that the controls of Jupyter lack."""
+    page.driver.execute_script(axe)
+    found = dict(page.driver.execute_async_script(FAULTS))
+    assert found.keys() <= NAMELESS, found
+    assert all("noUi-handle" in node or "fa fa-" in node for nodes in found.values() for node in nodes)
