@@ -47,8 +47,12 @@ HINTS = (
         " have as well",
     ),
     (
-        "could not be broadcast|boolean index did not match|mismatch in its core dimension|shapes .* not aligned",
+        "could not be broadcast",
         "two arrays of different sizes meet there: are rows and columns in order? (`+` adds, np.concatenate joins.)",
+    ),
+    (
+        "boolean index did not match|mismatch in its core dimension|shapes .* not aligned",
+        "two arrays of different sizes meet there: are rows and columns in order?",
     ),
     ("truncates after 1 step", "is that step `terminated`, and not truncated? Have the two changed places?"),
     ("scale < 0", "a standard deviation is below 0: is it ln σ that is learned, and σ = e^(ln σ)?"),
@@ -95,7 +99,10 @@ HINTS = (
         "an array keeps its size: write into an entry of it",
     ),
     ("'list' object has no attribute", "that is a list: np.array(...) makes an array of it"),
-    ("'MultiDiscrete' object has no attribute 'n'", "`table_size(environment)` counts its states and actions"),
+    (
+        "'MultiDiscrete' object has no attribute 'n'",
+        "`nvec` has its sizes; for a table, `table_size(environment)` has them",
+    ),
     (
         r"'[A-Z]\w*' object has no attribute",
         "is the name spelt as in the exercise? (A NamedTuple takes no new names: use a plain variable.)",

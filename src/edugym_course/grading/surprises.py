@@ -163,7 +163,10 @@ def usual_refusal(where: str, epsilon: float, found: Surprises, sentence: str, w
     stop = "" if sentence.endswith("?") else "."
     how = _counted(where, epsilon, found)
     if found.is_usual():  # their number tells nothing
-        how = f"{where} with {found.found.size} steps they follow by another equation than that of this lesson."
+        how = (
+            f"{where} with {found.found.size} steps, the actions follow from the program's own steps by another"
+            " equation than that of this lesson."
+        )
     return WrongAnswer(f"{when}the actions of {NAME} fit a usual mistake: {sentence}{stop} In {how}")
 
 

@@ -9,7 +9,7 @@ import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import asdict
 from functools import partial
@@ -49,7 +49,8 @@ class Graded(NamedTuple):
     Attributes:
         student: the student.
         verdicts: of each exercise, in order.
-        remarks: what the teacher should know: nothing came in, a check was edited, it took too long.
+        remarks: what the teacher should know: nothing came in, a check was edited, or is another student's, it took too
+            long.
     """
 
     student: Student
@@ -135,38 +136,38 @@ def _grade(assignment: Assignment, student: Student, folder: Path, seconds: floa
         else Verdict(0, remark or "it was not checked", ())
         for task in assignment.tasks
     ]
-    remarks = _remarks(notebook.cells, given.cells, partial(_whose, assignment, student))
+    remarks = _remarks(notebook.cells, given.cells, partial(_owners, assignment, student))
     return Graded(student, tuple(verdicts), tuple(filter(None, [*remarks, remark])))
 
 
-def _whose(assignment: Assignment, student: Student, name: str, source: str) -> Student | None:
-    """Return the other student who got a cell of a check with this text, if there is one."""
+def _owners(assignment: Assignment, student: Student, checks: Mapping[str, str]) -> dict[str, Student]:
+    """Return by the names of checks the other students who got one with the same text."""
     import nbformat
 
-    for other in assignment.students.values():
-        if other == student:
-            continue
-        theirs = handed_out(nbformat.read(assignment.source(other.id), as_version=4)).cells
-        if any(_grade_id(cell) == name and cell.source.strip() == source.strip() for cell in theirs):
-            return other
-    return None
+    owners: dict[str, Student] = {}
+    for other in assignment.students.values() if checks else ():
+        if other != student:
+            theirs = handed_out(nbformat.read(assignment.source(other.id), as_version=4)).cells
+            owners |= {_grade_id(cell): other for cell in theirs if checks.get(_grade_id(cell)) == cell.source.strip()}
+    return owners
 
 
-def _remarks(cells: Iterable[Any], given: Iterable[Any], whose: Callable[[str, str], Student | None]) -> Iterator[str]:
-    """Yield what was done to the checks; `whose` says from the name and the text of one whom it was made for."""
-    checks = {_grade_id(cell): cell.source for cell in given if is_check(cell)}
-    came = {_grade_id(cell): cell.source for cell in cells if _grade_id(cell) in checks}
-    for name, source in checks.items():
+def _remarks(
+    cells: Iterable[Any], given: Iterable[Any], owners_of: Callable[[Mapping[str, str]], Mapping[str, Student]]
+) -> Iterator[str]:
+    """Yield what was done to the checks; `owners_of` tells whose those are that were changed."""
+    checks = {_grade_id(cell): cell.source.strip() for cell in given if is_check(cell)}
+    came = {_grade_id(cell): cell.source.strip() for cell in cells if _grade_id(cell) in checks}
+    changed = {name: source for name, source in came.items() if source != checks[name]}
+    owners = owners_of(changed)
+    for name in checks:
         number = name.rpartition("-")[2]
         if name not in came:
             yield f"the cell of check {number} is missing"
-        elif came[name].strip() != source.strip():
-            other = whose(name, came[name])
-            yield (
-                f"check {number} is that of {other.name} ({other.id})"
-                if other
-                else (f"check {number} was edited, which changes nothing")
-            )
+        elif name in owners:
+            yield f"check {number} is that of {owners[name].name} ({owners[name].id})"
+        elif name in changed:
+            yield f"check {number} was edited, which changes nothing"
     new = {cell.source for cell in cells if is_code(cell)} - {cell.source for cell in given if is_code(cell)}
     for name in ("check", *(f"exercise_{number}" for number in range(1, len(checks) + 1))):
         if any(name in _bound(source) for source in new):

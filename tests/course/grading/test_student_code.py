@@ -119,7 +119,10 @@ ERRORS = [
     ("return [True].all()", "that is a list: np.array(...) makes an array of it"),
     ("return np.zeros(2).append(1)", "an array keeps its size: write into an entry of it"),
     ("return math(2)", "a module has this name too: write `self.` before a method"),
-    ("return gymnasium.spaces.MultiDiscrete([2]).n", "`table_size(environment)` counts its states and actions"),
+    (
+        "return gymnasium.spaces.MultiDiscrete([2]).n",
+        "`nvec` has its sizes; for a table, `table_size(environment)` has them",
+    ),
     ("return np.zeros(2).maximum()", "is the name spelt as in the exercise?"),
 ]
 """Lines that raise an error, and what is said of it."""

@@ -101,7 +101,7 @@ def require_cuts(program: Any, seed: int) -> None:
     sentences, learners = zip(*CUT_MISTAKES.items(), strict=True)
     highest = math.log(1 - EPSILON + EPSILON / shape[1])
     number, rows = likeliest([found(learner) for learner in learners], len(steps), highest)
-    where, too_many = "small worlds whose episodes may be truncated", CUT_SIGMAS * right.deviation
+    where = "small worlds whose episodes may be truncated,"
     cause = (
         "So look at episodes that are truncated: all pairs that are left learn from the k rewards that there are, with"
         " the weights 1, γ, ..., and then, if you like, from γᵏ times a value of the state that the last step gave"
@@ -110,5 +110,5 @@ def require_cuts(program: Any, seed: int) -> None:
     is_slip = slip.explains_better_than(right)
     if is_slip and slip.too_many < CUT_SIGMAS * slip.deviation:
         raise usual_refusal(where, EPSILON, right, sentences[number], "where an episode is truncated, ")
-    if is_slip or right.too_many > too_many:
+    if is_slip or right.too_many > CUT_SIGMAS * right.deviation:
         raise refusal(where, EPSILON, right, cause)

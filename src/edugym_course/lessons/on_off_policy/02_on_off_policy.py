@@ -143,8 +143,8 @@ print("return of the last episode:", total)
 # %% [markdown]
 # And this is the loop that really runs when you call `train` or `repeat`. It asks the rules of the road themselves, `mdp`,
 # and not an environment of Gymnasium. Look for the line in which $A'$ is chosen: it stands before `agent.learn`. (`log` adds
-# up the returns of the training episodes, and `carry` is where the loop goes on when it is called again. A `learn`
-# without `truncated`, as that of SARSA, does not get it.)
+# up the returns of the training episodes, and `carry` is where the loop goes on when it is called again. `truncated`
+# is dropped for a `learn` without it, as that of SARSA.)
 
 # %%
 source(loops.on_policy)
@@ -404,7 +404,7 @@ print(f"at position 6 with speed 3, the last state of the fast run, SARSA's valu
 # %% [markdown]
 # SARSA believes that from there the fast run is worth about −1.3. For an agent that slips with $\varepsilon = 0.01$ it
 # is worth −0.34 from there, as expected SARSA has found. (The 0 of Q-learning is that of an agent that never slips.) We
-# think that SARSA was unlucky, and takes long to get over it. After a deadly slip in the last state of the fast run SARSA
+# think that SARSA was unlucky, and takes long to get over it. Where a deadly slip is drawn in the last state of the fast run, SARSA
 # has $A'$ = faster in its target, and $Q(S', A')$ is far below 0, here −48. So the value of the action that leads
 # into this state drops at once by $\alpha \cdot 48$, about 1.4. The two runs differ by less than 1, so from
 # now on the safe run looks better. The agent then tries the fast run only when it slips into it, and each such try

@@ -253,8 +253,8 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 #
 # Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: with a learning rate
 # of 0.1 and $\varepsilon = 0.1$ both end up talking, and the exploitability comes to 0 (up to 4 that may take longer;
-# without exploration some pairs stay silent). With a learning rate of 0.4 or more many pairs change their minds now and
-# then. So, above 3, learning alone is harmless, but not good: both get 1, and could have 3. An equilibrium says that
+# without exploration some pairs stay silent; with a learning rate of 0.4 or more many pairs change their minds now and
+# then). So, above 3, learning alone is harmless, but not good: both get 1, and could have 3. An equilibrium says that
 # nobody gains *alone*, and no more.
 #
 # At 3 and below there are two equilibria without chance, both silent and both talking, and with $\varepsilon = 0.1$ it
@@ -427,7 +427,7 @@ pupil.measured(pupil.options[0 if end < 0.05 else 1 if end < 0.3 else 2])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** More than 0.3: most of what it wins from random play. Nobody can win from a safe teacher, and the pupil
+# **Measured.** More than 0.3: most of what this opponent wins from random play. Nobody can win from a safe teacher, and the pupil
 # loses hardly anything to it in these three runs. But in nearly half of the states it does not play a best answer, not
 # even to the teacher. In two thirds of these it has never been: all its values there are still 1, and it draws any
 # action. With best answers to the teacher in all states it would still lose about 0.15 (the line printed last), since

@@ -108,7 +108,8 @@ class Riddle(NamedTuple):
     Attributes:
         make: makes the house; actions and rooms are numbered anew with each seed.
         asks: what a program that fails here has missed.
-        is_chancy: whether bad luck makes a right program fail at times, so that one that fails is tried again.
+        is_chancy: whether bad luck makes a right program fail at times, in 6 of 40 runs in one of them. One that fails
+            must then play two more houses of the same kind safely, with twice as many steps.
     """
 
     make: Callable[[Random], House]

@@ -184,7 +184,7 @@ def check_riddle(program: Any, riddle: Riddle, seed: int) -> float:
 
 
 def _won(program: Any, riddle: Riddle, seed: int) -> float:
-    """Return the most that can be won from a program in a riddle, if it takes twice as many steps."""
+    """Return the most that can be won from a program that has twice as many steps for a riddle."""
     game = riddle.make(np.random.default_rng(seed))
     return float(weak_points(game_model(game), run(program, game, 2 * N_STEPS, seed)[1]).max())
 

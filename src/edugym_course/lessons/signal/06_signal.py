@@ -426,7 +426,7 @@ ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * methods.OPTIM
 # **Measured.** No more than random actions. Each row has one greedy answer. At 100 hit points, where the toy begins, "play
 # or feed" is always answered with play, say. Then the toy is not fed, wants to be fed again, says "play or feed", and is
 # played with, until its hit points fall. With other hit points the answers are others, but fixed as well, and the toy soon
-# dies. With four words and noise the word is *sometimes* right about each need. Here it never tells the two needs of a word apart.
+# dies. With a vocabulary of four words, and noise, the word is *sometimes* right about each need. Here it never tells the two needs of a word apart.
 #
 # Tossing a coin between the two meanings is better: each need is met now and then. Where the state is hidden and nothing
 # is remembered, a random policy can be better than every deterministic one (Singh, Jaakkola and Jordan, 1994). With a
@@ -780,9 +780,10 @@ display(figures.race({"my listener": Listener.create}))
 # <details><summary>What the race shows</summary>
 #
 # The listener is above the vote at every length. The gain is largest in the middle: with four words it gets some 1 000
-# more. (On this calm toy taking turns beats both. On the moody toy below it fails.) With one word its memory helps only
+# more. With one word its memory helps only
 # when the word names what it has just done: then the word is probably wrong, and it guesses among the other three. With
-# 28 words the gain is small, since the message alone tells nearly enough.
+# 28 words the gain is small, since the message alone tells nearly enough. (On this calm toy taking turns beats both. On
+# the moody toy below it fails.)
 # </details>
 
 # %% [markdown]

@@ -1,7 +1,7 @@
 # %% a constant step size
 # slow
 # says: the step size is constant: with 1/N(A) every reward counts equally in the mean
-# says: in small worlds with
+# says: In small worlds with
 # in: with lists
 # - means[arm] = (means[arm] * (pulls[arm] - 1) + reward) / pulls[arm]
 # + means[arm] += 0.1 * (reward - means[arm])

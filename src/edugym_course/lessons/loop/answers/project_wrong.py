@@ -271,7 +271,7 @@ def my_program(environment, n_steps, seed):
 
 # %% γ is forgotten
 # slow
-# says: in worlds where small differences decide, with 60
+# says: In worlds where small differences decide, with 60
 # says: γ is larger than 0.99; is it missing?
 # in: episode after episode
 # - Q[s, a] += 0.5 * (r + (not end) * 0.99 * Q[s2].max() - Q[s, a])

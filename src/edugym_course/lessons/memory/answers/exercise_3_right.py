@@ -1,5 +1,5 @@
 # %% the other case first
-# says: Right: a table of 16 rows with three doors is enough. See it race:
+# says: Right: with three doors a table of 16 rows is enough. See it race:
 def update(self, notes, place, seen, action):
     notes[place] = action
     if seen < self.num_doors:

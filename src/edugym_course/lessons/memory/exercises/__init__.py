@@ -294,7 +294,7 @@ def exercise_3(answer: Any, seed: int, stride: Stride = 1) -> str:
             else f"should return {expected}, but returns {place}"
         )
         raise WrongAnswer(f"{_call(*case)} {what}: {why}")
-    return "Right: a table of 16 rows with three doors is enough. See it race:"
+    return "Right: with three doors a table of 16 rows is enough. See it race:"
 
 
 def _half_that_is_wrong(cases: list[Any], outcomes: list[Notes], stride: int) -> str:
