@@ -158,7 +158,7 @@ def _sentence(what: str, error: Exception) -> str:
     because = f" ({hints[0]})" if hints else ""
     kind = type(error).__name__
     if isinstance(error, RecursionError):
-        message, because = "a function calls itself for ever", ""
+        message, because = f"in {what} a function calls itself for ever", ""
     if not line and isinstance(error, ValueError) and _last_file(error).startswith(PACKAGES):
         return message  # a check of the package refuses what it was given, and says so in a sentence
     place = f"the line `{line}`" if line else what

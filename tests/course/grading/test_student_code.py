@@ -38,7 +38,7 @@ def test_the_line_is_the_students() -> None:
     said = run("def f():\n    return QLearning.create((2, 2), alpha=1)\n", QLearning=QLearning)
     assert said.startswith("the line `return QLearning.create((2, 2), alpha=1)` raises ValueError: QLearning ")
     assert "raises KeyError: there is no key 'a'" in run("def f():\n    return {}['a']")
-    assert run("def f():\n    f()").endswith("raises RecursionError: a function calls itself for ever")
+    assert run("def f():\n    f()").endswith("raises RecursionError: in f() a function calls itself for ever")
     assert "\n" not in run("def f():\n    raise ValueError('one\\ntwo')")
 
 
