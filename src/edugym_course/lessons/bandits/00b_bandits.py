@@ -97,7 +97,7 @@ finds.measured(100 * settled)
 #
 # **Measured.** 15 %; a blind choice finds a tenth. The first arm that pays has a mean above 0, for ever; the other means stay 0: those arms did not pay, or were never pulled, and nobody pulls them any more. A mean becomes
 # right only for an arm that is pulled. So greedy stays with the first arm that pays. That is the best one with the probability $0.6 / (0.6 + 9 \cdot 0.4)$,
-# or 1/7. If each arm was tried 30 times first, greedy finds the best one in 98 %. The same formula gives 27 % for five arms (measured 28 %), and 21 % for a gap of 0.4 (measured 20 %).
+# or 1/7. If each arm was tried 30 times first, greedy finds the best one in 98 %.
 # </details>
 
 # %% [markdown]
@@ -138,7 +138,7 @@ source(ThompsonSampling, "choose")
 source(GradientBandit, "learn")
 
 # %% [markdown]
-# `baseline` is $m$, and `follow_log_gradient` adds `size` $\cdot\, (1\{a = A\} - \pi(a))$ to each $H(a)$. UCB and Thompson sampling keep a count of pulls of their own.
+# `baseline` is $m$, and `follow_log_gradient` adds `size` $\cdot\, (1\{a = A\} - \pi(a))$ to each $H(a)$.
 
 # %% [markdown]
 # ## The experiment: regret over time
@@ -147,8 +147,8 @@ source(GradientBandit, "learn")
 # |---|---|
 # | bandit | $n = 10$ arms, gap $\Delta = 0.2$ |
 # | methods | $\varepsilon = 0.1$; UCB $c = 0.7$; Thompson sampling $\sigma = 0.5$; $\alpha = 0.1$ for optimistic values and the gradient bandit |
-# | repetitions | 100, each with a best arm of its own; bands are 95 % intervals |
-# | not in the figure | greedy, which pays far more; the table has it |
+# | repetitions | 100, of 10 000 pulls, each with a best arm of its own; bands are 95 % intervals |
+# | not in the figure | greedy, which pays far more; it is printed below |
 # | "best arm in" | the share of runs in which it gets more than half of the last tenth of the pulls |
 #
 # How little regret is possible? Lai and Robbins proved that a strategy which is good on *every* bandit (its regret grows more slowly than any power of $t$) cannot do better, in the long run, than $C \ln t$ with
@@ -196,11 +196,11 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 # On the right, pulls are on a logarithmic axis: what becomes a straight line there, as $C \ln t$ is, grows as a logarithm. On the left one sees that UCB (160), Thompson sampling (108) and the gradient bandit (162) pay less and less for a pull.
 # These three and the falling ε end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
 #
-# Optimism tries all arms in the beginning, until its first values have come down. Its regret goes on growing after that, though in the end 94 % of its runs pull the best arm (the other 6 % had found it, too, and lost it again). The likely reason for both: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best, sometimes for thousands of pulls.
+# Optimism tries all arms in the beginning, until its first values have come down. Its regret goes on growing after that, though in the end 94 % of its runs pull the best arm. The likely reason: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best, sometimes for thousands of pulls.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: two that grow more slowly than the bound
-# From 10 000 to 100 000 pulls $C \ln t$ adds 51, Thompson sampling 45 and the gradient bandit 22. Our guesses: for Thompson sampling the long run has not yet come. For the gradient bandit the bound is no bound, since on some bandits it stays at a worse arm for too long. Here it does so with $\alpha = 1$, in about 13 % of the runs after 10 000 pulls, and in about 7 % after 100 000 (from thousands of runs, and from 900).
+# From 10 000 to 100 000 pulls $C \ln t$ adds 51, Thompson sampling 45 and the gradient bandit 22. Our guesses: for Thompson sampling the long run has not yet come. For the gradient bandit the bound is no bound, since on some bandits it stays at a worse arm for too long.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: a softmax of the means
@@ -214,7 +214,7 @@ for temperature in (0.02, 0.05, 0.1, 0.2):
     print(f"{temperature:11} {one.regret().mean():8.0f} {cost:19.3f} {known:21.3f} {one.settled().mean():13.0%}")
 
 # %% [markdown]
-# Cold ($\tau = 0.02$) it mostly stays with a worse arm, as greedy does, and with $\tau = 0.05$ it misses the best arm in some four of ten runs: it has hardly ever pulled it there, and goes from one worse arm to another. Warm (0.1) it finds the means, and goes on paying for ever, as ε-greedy does: a late pull costs about what it would cost with the true means. (These, too, would give the best arm only 45 % of the pulls, and "best arm in" asks for more than half.) With each of these temperatures
+# Cold ($\tau = 0.02$) it mostly stays with a worse arm, as greedy does, and with $\tau = 0.05$ it misses the best arm in some four of ten runs. Warm (0.1) it finds the means, and goes on paying for ever, as ε-greedy does: a late pull costs about what it would cost with the true means. (These, too, would give the best arm only 45 % of the pulls, and "best arm in" asks for more than half.) With each of these temperatures
 # it pays more than ε-greedy (240). The formula asks how far two means differ, and not how well they are known. UCB and Thompson sampling ask both.
 
 # %% [markdown]
@@ -294,7 +294,6 @@ dearest.measured(max(dearest.options, key=paid.get))
 # **Measured.** 0.05: regret first rises with the gap, and then falls. With a gap of 0.01 UCB cannot find the best arm in 10 000 pulls, but no pull costs more than 0.01: random pulls cost 90 in all, and UCB pays 86. With a large gap every mistake is dear, and
 # seen at once. In between, mistakes are dear enough to hurt and small enough to hide. The hardest problem to *solve* is not the one that costs most.
 # (The dashed line is what random pulls cost where the gap is small, and $C \ln t$ where it is large. With a gap of 1 it is 0: the first pull that pays nothing gives a worse arm away.)
-# The rise and the fall came out with 5 and with 20 arms too (with 20, UCB pays most at 0.1), and with Thompson sampling.
 # </details>
 
 # %% [markdown]
@@ -323,13 +322,13 @@ fair.measured(methods.pulls(methods.tries_first(100)).regret().mean())
 #
 # **Measured.** 180: nine worse arms, 100 pulls of each, 0.2 a pull. After that it makes hardly a mistake, but the test alone cost more than all that Thompson sampling paid. Ten tries are
 # too few (332): 15 % of the runs end with a worse arm. Thirty would have been right here (97), but not for a gap of 0.1, where a hundred are better, and not for one of 0.4, where ten are. With the right number the fair
-# test costs about as much as Thompson sampling, or less, at any of these gaps. (At 0.4 most runs pay just what the ten tries cost, 36. About one in 200, and none of these 100, keeps a worse arm and pays 4000, so the mean of many runs is about 60.) But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried until it is probably not the best.
+# test costs about as much as Thompson sampling, or less, at any of these gaps. (At 0.4, with ten tries, about one run in 200, and none of these 100, keeps a worse arm and pays 4000.) But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried until it is probably not the best.
 # </details>
 
 # %% [markdown]
 # ### What if the arms drift?
 # Now another arm becomes the best one with probability 0.001 at each pull, so about ten times in a run. Two ε-greedy agents: one has sample averages, the other learns with a constant rate $\alpha = 0.1$,
-# $Q(A) \leftarrow Q(A) + \alpha [R - Q(A)]$, so that old rewards fade. The figure also has, as a control, a UCB that loses its bonus at pull 1000 ("bonus at first").
+# $Q(A) \leftarrow Q(A) + \alpha [R - Q(A)]$, so that old rewards fade.
 #
 # **Predict.** Which one has less regret?
 
@@ -353,7 +352,7 @@ follows.measured(follows.options[2 if abs(mean / constant - 1) < 0.1 else 1 if c
 #
 # **Measured.** The constant rate: 905 against 1397. After thousands of pulls $1/N(A)$ is tiny, and the mean of an arm that was once the best hardly moves. The sample average forgets nothing,
 # and here what it remembers is no longer true. Without drift it is the other way round, 240 against 730: a value that forgets never becomes exact. Each agent is right about
-# one world. UCB does best here, though it has sample averages too: its bonus goes on sending it to arms that it left. Without this bonus from pull 1000 on it pays 1465 where arms drift, and only 82 where they do not. Thompson sampling, which paid least of the seven agents above, is worse than the constant rate here.
+# one world. UCB does best here, though it has sample averages too: its bonus goes on sending it to arms that it left. Without this bonus from pull 1000 on ("bonus at first") it pays 1465 where arms drift, and only 82 where they do not. Thompson sampling, which paid least of the seven agents above, is worse than the constant rate here.
 # </details>
 
 # %% [markdown]
@@ -502,12 +501,12 @@ check(project_0b, my_program)
 # - ε-greedy's regret goes on growing evenly, by 0.018 a pull. With a falling $\varepsilon$, UCB, Thompson sampling and the gradient bandit it grows ever more slowly.
 # - After 10 000 pulls ε-greedy has paid 240, a falling $\varepsilon$ 181, UCB 160, Thompson sampling 108. To try each arm 100 times first costs 180.
 # - Regret first rises with the gap and then falls: what is hardest to find out is not what costs most.
-# - Where arms drift about ten times in a run, ε-greedy pays less with a constant learning rate than with sample averages; where they do not, it pays more. UCB pays least where they drift, for it goes on testing.
+# - Where arms drift about ten times in a run, ε-greedy pays less with a constant learning rate than with sample averages; where they do not, it pays more. Of the five agents tried there UCB pays least, and most if it loses its bonus.
 #
 # ### In one paragraph
-# *Learn it by heart, or better, say it in your own words.* Only a pull shows how well an arm pays, and a pull of a worse arm costs. So an agent must go on looking, but less and less. Greedy looks too little and stays with an arm that was lucky first, ε-greedy looks
+# *Learn it by heart, or better, say it in your own words.* Only a pull shows how well an arm pays, and a pull of a worse arm costs. Nobody tells an agent when it may stop looking, so it must go on, but less and less. Greedy looks too little and stays with an arm that was lucky first, ε-greedy looks
 # and pays at the same rate for ever. UCB and Thompson sampling try an arm the less, the less likely it is the best one: UCB by a bonus that shrinks with the number of pulls (optimism in the face of uncertainty), Thompson sampling
-# by a draw from what it believes. No agent that is good on every bandit pays less, in the long run, than a logarithm of time (unless a single pull can give a worse arm away). If the arms change, an agent must forget what is old, or go on putting it to the test.
+# by a draw from what it believes. No agent that is good on every bandit pays less, in the long run, than a logarithm of time (unless a single pull can give a worse arm away). If the arms change, old means mislead, unless the agent goes on testing.
 #
 # ### Limits
 # There is one state, and an arm changes nothing of what comes. In the next lessons an action also leads somewhere, and what is to be explored may be a hundred steps away: lesson 1

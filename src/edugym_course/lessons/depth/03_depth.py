@@ -88,7 +88,7 @@ play(
 #
 # All agents of this lesson keep a table of action values $Q(s, a)$ and act ε-greedily: they take a random action with
 # probability $\varepsilon$, and otherwise the one with the largest value. They move values towards a
-# *target*. They differ in one number, $n$: how many real rewards the target contains before it ends with a learned
+# *target*. Those of the experiment differ in one number, $n$: how many real rewards the target contains before it ends with a learned
 # value.
 #
 # SARSA uses one reward. The **$n$-step target** uses $n$ of them (Sutton and Barto, equation 7.4):
@@ -247,8 +247,8 @@ print(f"optimum      {study.reward_threshold:.2f}")
 #
 # The paper (Moerland et al., 2023) says: Monte Carlo learns fast after its first success and then has trouble with
 # details; one-step methods learn slowly and end better; and Monte Carlo suffers more when rewards are noisier, or when
-# there are more actions that do not matter. We test all of this. Here are three amounts of noise; more actions follow
-# below.
+# there are more actions that do not matter. We test all of this. Here are three amounts of noise (an aside says whether more noise hurts Monte Carlo); more actions
+# follow below.
 #
 # | setting | value |
 # |---|---|
@@ -349,7 +349,7 @@ noisy.measured("the same, within 0.3" if abs(change) < 0.3 else "better" if chan
 #
 # **Measured.** Better, by more than one (in other draws by 0.4 to 2). At $\sigma = 0$ one run in five does not pass in the end, and these runs never
 # passed at all. With $\sigma = 1$ all runs pass. The likely reason is that *noise also explores*: it changes again and
-# again which action looks best. So Monte Carlo alone does not suffer here: noise brings it more than it costs.
+# again which action looks best. So Monte Carlo, taken by itself, does not suffer here: noise brings it more than it costs.
 #
 # *Compared with $n = 1$* it does, as the paper says, for $n = 1$ gains more. Over 300 other layouts $n = 1$ ends with 6.2
 # at $\sigma = 0$ and with 7.8 at $\sigma = 1$, and Monte Carlo with 6.5 and 7.5. Where both pass it is the other way
@@ -461,7 +461,7 @@ noise.measured(100 * targets.noise_share(0.2))
 #
 # With the learning rate of the experiment a Monte Carlo value of the first day scatters by ± 0.69 (computed in the
 # aside), while on a free day two actions of this layout differ by 0.1 on average. That is one reason why Monte Carlo passes the exam and wastes its free
-# days, even without noise of the rewards. It is not the only one: with $\varepsilon = 0$ nothing scatters, and Monte Carlo wastes them too (see the aside).
+# days, even without noise of the rewards. It is not the only one: with $\varepsilon = 0$ and $\sigma = 0$ nothing scatters, and Monte Carlo wastes them too (see the aside).
 
 # %% [markdown] tags=["aside"]
 # ### Aside: is this scatter the reason?
@@ -500,7 +500,7 @@ print("from one action to the next, by their prices:", np.diff(np.sort(-make_mdp
 # between the best action and another one by 0.2 with $n = 1$ and by about 1 with Monte Carlo.)
 
 # %% [markdown]
-# ### The price of depth can be paid by the learning rate
+# ### Each depth has its own learning rate
 # A value scatters less with a smaller $\alpha$, since it averages more targets. But then the staircase, which takes
 # $\lceil H/n \rceil / \alpha$ episodes, is longer.
 #
@@ -521,8 +521,8 @@ smallest.measured(methods.label(min(best, key=best.get)))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Monte Carlo. Of these six rates, the three smallest are best for Monte Carlo (with little between them),
-# 0.1 for $n = 5$ (it hardly matters), and 0.3 for $n = 3$ and $n = 1$. One-step targets need a large rate to get down the staircase in
-# time. Monte Carlo explores more with a small one (see “why a small rate suits Monte Carlo”).
+# 0.1 for $n = 5$, and 0.3 for $n = 3$ and $n = 1$. One-step targets probably need a large rate to get down the staircase
+# in time. Monte Carlo explores more with a small one (see “why a small rate suits Monte Carlo”).
 #
 # In Sutton and Barto's figure 7.2, for another task, a middle $n$ is best. *Never compare two values of $n$ at one
 # learning rate only.*
@@ -675,7 +675,7 @@ off_policy.off_policy_sheet()
 # %% [markdown]
 # The *uncorrected* target has a bias: with $n = 10$ its mean is 1.2 below the optimum. There are two remedies.
 #
-# - **Importance sampling** weights each target by a ratio that makes its mean right again. The price is a standard
+# - **Importance sampling**, in its simplest form, weights each target by a ratio that makes its mean right again. The price is a standard
 #   deviation that at $n = 10$ is even larger than the optimum itself (exercise 2). In the left panel its line lies on that
 #   of cutting, at 0.
 # - **Cutting** the target at the first exploring action, with the best value of that state at its end, keeps the mean
@@ -707,12 +707,11 @@ suffers.measured(max(loss, key=loss.get))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Monte Carlo loses most, and $n = 1$ least. As the paper says, actions without effect make deep methods
-# suffer. But not by their variance: in four runs of five Monte Carlo *never passed the exam at all*, and where it had passed
-# once, it nearly always passes in the end. So for Monte Carlo this is a problem of exploration, not of credit. (For $n = 3$ and $n = 5$
+# suffer, at this $\alpha$. But not by their variance: in four runs of five Monte Carlo *never passed the exam at all*. So for Monte Carlo this is a problem of exploration, not of credit. (For $n = 3$ and $n = 5$
 # it is something of both.)
 # </details>
 #
-# Before you say "variance", or "exploration", take the runs apart. (The first aside below does so.)
+# (The first aside below takes the runs apart.)
 
 # %% [markdown] tags=["aside"]
 # ### Aside: is that the variance again?
@@ -871,7 +870,7 @@ display(figures.race({"quiet": quiet}, repetitions=30))
 # %% [markdown]
 # At this learning rate it passes in about 70 % of the runs, and with $\varepsilon = 0.1$ in about 90 % (200 runs). It tries a few things at first, since all it has tried was worse than
 # 0. But it stops at the first plan that looks best, and on many layouts it never passes. Where it passes, it is no closer to the optimum. With $\alpha = 0.01$ it passes in some 97 %: each bad return then lowers
-# a value only a little, so it takes one action after another. So it needs *some* exploration, if not random actions. An agent should explore, and yet not learn from its exploring actions as if they were
+# a value only a little, so it takes one action after another. So an agent should explore, and yet not learn from its exploring actions as if they were
 # its policy.
 #
 # ### Exercise 2: the importance-sampling ratio
@@ -914,7 +913,7 @@ check(exercise_2, importance_ratio, seed=1, quiet=True)
 # %% [markdown]
 # After the first day there are nine more actions. With $\varepsilon = 0.1$ and $N = 5$ all nine are greedy in
 # $0.92^9 = 47$ % of the episodes. These count 2.1 times, and the other 53 % count nothing. The mean is right, and the
-# variance is huge. That is why plain importance sampling is rarely used for deep targets.
+# variance is huge.
 #
 # ### Exercise 3: as deep as your actions were greedy
 # There is a better way. Let the reward travel back through greedy actions, and no further. What came after an exploring
@@ -935,7 +934,7 @@ check(exercise_2, importance_ratio, seed=1, quiet=True)
 # `argmax` finds.
 #
 # Without the third line this is Monte Carlo. With it, $G$ passes through actions that are greedy *after* their update, and is cut at the others: at exploring ones, and at greedy ones that just disappointed. You
-# write plain Python, and it runs as machine code. Predict: can this line beat all four depths?
+# write plain Python, and it runs as machine code. Predict: can this line beat all four depths at this $\alpha$?
 #
 # <details><summary>Hint</summary><code>for k in range(length - 1, -1, -1)</code> goes backwards. The largest value in a
 # row is <code>max(self.Q[s])</code>. The fields <code>self.learning_rate</code> and <code>self.discount</code> are α
@@ -1122,7 +1121,7 @@ check(project_3, my_program)
 # before it trusts a learned value. With small $n$ a reward comes back step by step, through values that are wrong at
 # first: slow and biased early, and with a small learning rate precise late. With large $n$ it comes back at once, together with everything else that
 # happened, some of which the agent did itself when it explored: fast early, where the reward is soon met, and blurred late. A smaller learning rate
-# slowly averages a part of the blur away. A target that is cut where an action is not the best one after its update avoids it, unless rewards are very noisy.
+# slowly averages a part of the blur away. A target that is cut where an action is not the best one after its update seems to avoid it, unless rewards are very noisy.
 #
 # ### Limits
 # The dynamics of this task are deterministic, an episode has ten steps, and the agent sees the whole state. Where the

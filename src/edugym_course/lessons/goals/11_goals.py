@@ -5,8 +5,7 @@
 # many goals it hardly ever does. Has it nothing to learn from then?
 #
 # **You will be able to** write the values of an agent with many goals, and say what a network gains over a table there;
-# learn from an episode that missed its goal, by hindsight; say why hindsight neither explores nor changes the task;
-# and predict when it is of no use.
+# learn from an episode that missed its goal, by hindsight; and say why hindsight neither explores nor changes the task.
 #
 # **Time.** {time} **Before you start.** You should know Q-learning (Sutton and Barto,
 # 2nd edition, section 6.5) and, for the experiments, what DQN does with its memory: lesson 4, or section 16.5. All
@@ -66,7 +65,7 @@ source(type(env.mdp), "transition", "reward", "terminal")
 play("Switches", n_switches=8)
 
 # %% [markdown]
-# An agent that has learned nothing yet flips at random. This is how often it gets to its goal, computed exactly:
+# How often does an agent that flips at random get to its goal? Computed exactly:
 
 # %%
 for n in (2, 4, 6, 8, 10, 13):
@@ -75,7 +74,7 @@ for n in (2, 4, 6, 8, 10, 13):
 
 # %% [markdown]
 # In $n$ steps it meets at most $n$ of the other $2^n - 1$ patterns, so the chance is below $n / (2^n - 1)$. In all other
-# episodes every reward is $-1$, whatever it does. Many say: from these there is nothing to learn.
+# episodes every reward is $-1$, whatever it does.
 
 # %% [markdown]
 # ## The idea: learn for the goal that was reached
@@ -198,7 +197,7 @@ who.measured(names.get(close, "all three"))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 'final' and 'future', and 'future' gets there first. Without hindsight the network has learned nothing at
-# all, and with eight switches more time does not help: after 200 000 steps it returned −7.97. (The end may lie a little above the dashed
+# all, not even in 200 000 steps (it returned −7.97). (The end may lie a little above the dashed
 # line, if 100 episodes happen to have somewhat nearer goals.)
 # </details>
 
@@ -211,8 +210,7 @@ frames(task, methods.greedily(task, eight.agents["future"][0]), seed=2)
 # %% [markdown]
 # ## Your turn
 #
-# With how many switches does a network still learn without hindsight? (3 runs of 10 000 steps.) How much does 'future' need to
-# explore? Try $\varepsilon = 0$ and $\varepsilon = 1$: wholly at random.
+# With how many switches does a network still learn without hindsight? (3 runs of 10 000 steps.) Move the other sliders, too.
 
 
 # %%
@@ -226,9 +224,7 @@ sliders(one_network, n_switches=(2, 9), hindsight=["no hindsight", "final", "fut
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# In 10 000 steps and without hindsight four switches were learned, five hardly, and six not at all. With 'future' and eight
-# switches it mattered little how much the network explored: with $\varepsilon = 0$ and with $\varepsilon = 1$ it returned
-# between $-3$ and $-4$ on average.
+# In 10 000 steps and without hindsight four switches were learned, five hardly, and six not at all.
 # </details>
 
 # %% [markdown]
@@ -243,24 +239,23 @@ for strategy in ("no hindsight", "final", "future"):
     print(f"{strategy:12}: {share:.1%} of the transitions reach their goal")
 
 # %% [markdown]
-# With 'future' the share is some hundreds of times as large. (Networks that have not learned flip back and forth. So they reach the same patterns again and again; with random flips it is 29 %.) Now ask the networks what they believe: the value of the best action,
+# With 'future' the share is some hundreds of times as large. Now ask the networks what they believe: the value of the best action,
 # by how many switches are wrong. The dashed line is true.
 
 # %%
 display(figures.beliefs(eight, ("no hindsight", "future")))
 longer = methods.networks(strategies=("future",), n_steps=60_000, repetitions=1)
 print(f"distance 8: the true value is {methods.true_value(8):.1f}")
-for steps, results, strategy in ((15_000, eight, "future"), (60_000, longer, "future"), (15_000, eight, "final")):
-    value = methods.values_by_distance(results, strategy)[-1].mean()
-    far = methods.far_shares(results, strategy).mean()
-    print(f"{strategy}, {steps} steps: {value:.1f}; in {far:.1%} of its transitions the goal is 6 flips away or more")
+for steps, results in ((15_000, eight), (60_000, longer)):
+    value, far = methods.values_by_distance(results, "future")[-1].mean(), methods.far_shares(results, "future").mean()
+    print(f"{steps} steps: {value:.1f}; in {far:.1%} of its transitions the goal is 6 flips away or more")
 
 # %% [markdown]
 # Without hindsight all is the same to the network, one flip from the goal or eight. (Its values lie below $-8$, the cost of a
 # whole episode. At a truncation the agent bootstraps, as it should, as if it could go on flipping.) With 'future' the
 # network has learned a distance. It knows near goals best, and takes far ones for nearer than they are. Four times
-# as many steps later the values are nearly right (one network), so it had not learned for long enough. Our guess why it takes so long: far goals
-# are rare in its memory. With 'final' they are less rare, and after 15 000 steps its value at distance 8 is nearly right, though nearer goals seem farther to it than they are: this fits our guess, and does not prove it.
+# as many steps later the value at distance 8 is nearly right (one network), so it had not learned for long enough. Our
+# guess why it takes so long: far goals are rare in its memory.
 
 # %% [markdown]
 # ## Predict, then check
@@ -291,7 +286,7 @@ at_random.measured(at_random.options[0 if end < -6.5 else 1 if end < -4.0 else 2
 # <details><summary>What was measured</summary>
 #
 # **Measured.** About −3, as much as with ε = 0.1. While it learned it reached its goals no more often than random play. So
-# hindsight is not a way to explore: none of these flips came from it. It makes more of the same flips, of which the other
+# hindsight did not help by exploring: all flips were random. It makes more of the same flips, of which the other
 # agent made nothing. And there *is* something to learn from a goal that was missed: from each episode it
 # learns how to reach the patterns that it *did* reach, and in the end the network knows the way to nearly all that we tried.
 # </details>
@@ -323,9 +318,9 @@ elsewhere.measured("nothing" if end < -7.5 else "more slowly" if end < -3.5 else
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Nothing. A goal from elsewhere is nearly always missed, too. What helps are goals that
-# were *achieved*, since their transitions have the rewards. With seven and with nine switches it learned next to nothing in this time, either. (But a few rewards are better than none: with seven switches and 60 000 steps all of nine runs returned
-# −2.3 to −6.5, and without hindsight about −6.5 or less. With eight switches and ten times the time such goals gave nothing either.)
+# **Measured.** Nothing. A goal from elsewhere is nearly always missed, too. Our guess: what helps are
+# goals that were *achieved*, since their transitions have the rewards. With seven and with nine switches it learned next
+# to nothing in this time, either. (With eight switches and ten times the time such goals gave nothing either.)
 # </details>
 
 # %% [markdown]
@@ -464,7 +459,7 @@ check(exercise_3, future_goal, seed=1, quiet=True)
 # Where `terminated` is True, the target is $R$ alone. When an episode is over, whether it reached its goal or not, it
 # learns all steps of it again, for the goal $G'$ that the last step achieved (also if $G' = G$). **The last step comes
 # first**, so that the value of the goal reaches the first step in the same sweep. Each step that achieves $G'$ has the target 0 alone, wherever it stands in the episode; every other one has
-# the reward $-1$ and a future. (The episode that is cut off by `n_steps` need not be learned again.) In the end the program returns its *policy*:
+# the target $-1 + \gamma \max_a Q(S', G', a)$. (The episode that is cut off by `n_steps` need not be learned again.) In the end the program returns its *policy*:
 # a function that takes such a dictionary, and returns the action with the highest value; it is asked about pairs that were
 # never met, too.
 #
@@ -536,8 +531,8 @@ check(project_11, my_program)
 # - With hindsight, 'final' or 'future', it came to the best return. With 'future' it did so even when all its flips were
 #   random.
 # - With goals that the same episode had *not* achieved the effect was gone, in the time that 'future' takes.
-# - A table whose values start at 0 gained nothing: what it had never tried looked at least as good as all that it had found. From −8 it gained about 2.5
-#   with eight switches, and the network about 5. A table learns each pair of a state and a goal by itself.
+# - With eight switches a table whose values start at 0 gained nothing: what it had never tried looked at least as good as all that it had found. From −8 it gained about
+#   2.5, and the network about 5. A table learns each pair of a state and a goal by itself.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A universal value Q(s, g, a) says what an action is worth for a goal.
@@ -548,8 +543,8 @@ check(project_11, my_program)
 # ### Limits
 # Goals must have no part in the dynamics, the reward for any goal must be known, and the method must be off-policy. Hindsight
 # finds nothing that the agent never does: where random play stays near its start, as on the wall of lesson 1, so do the
-# goals that it learns. And what it adds for a goal comes only from episodes that reached it: where luck
-# decides, it takes luck for skill. (None of this was measured here.)
+# goals that it learns. And what it adds for a goal comes only from episodes that reached it: in a random
+# task it overrates actions that were lucky. (None of this was measured here.)
 #
 # ### Further reading
 # - Andrychowicz et al. (2017), *Hindsight experience replay*: the method, and the task of this lesson (section 3.1). They

@@ -84,14 +84,14 @@ for k in range(8):
 # $$
 #
 # The probabilities of a night under $\pi$ and under $b$ have the same factors $p(s' \mid s, a)$, which cancel. The ordinary estimate has no bias if $b$ takes every action that
-# $\pi$ takes, and if $\pi$ was not chosen by these nights. The weighted one has a little in general (here hardly any: all weights that are not 0 are equal), and often much less variance. A third one weighs each reward only by the actions *up to* it
+# $\pi$ takes, and if $\pi$ was not chosen by these nights. The weighted one has a little in general, and often much less variance. A third one weighs each reward only by the actions *up to* it
 # (*per decision*), since what is done later changes nothing of it.
 #
-# Our $b$ agrees with $\pi$ in two steps of three: in half of them on purpose, and else in one of three by luck. In all eight
+# Our $b$ agrees with $\pi$ in $1/2 + 1/2 \cdot 1/3 = 2/3$ of the steps: in half on purpose, and else in one of three by luck. In all eight
 # steps it agrees in $(2/3)^8 = 0.039$ of the nights. The other nights have the weight 0.
 #
 # ### Correct what you believe
-# The *doubly robust* estimate begins with values $Q$ that somebody believes in, and lets the data correct them. From the end of each
+# The *doubly robust* estimate begins with values $Q$ of $\pi$ that somebody believes in, and lets the data correct them. From the end of each
 # night to its start, with $V_{\text{DR}} = 0$ at the end, $\rho = \pi(A \mid S) / b(A \mid S)$ of this one step, and $V(s) = \sum_a \pi(a \mid s)\, Q(s, a)$:
 #
 # $$
@@ -149,7 +149,7 @@ for share in (0.0, 0.97):
     data = collect(model, behaviour, n_episodes=300, seed=1)
     print(f"share {share}: a night of the data is worth {data.returns().mean():.1f}")
     print(f"  expected, exactly: {policy_evaluation(model, behaviour).start:.1f}")
-    print(f"  {(data.visits > 0).sum()} of 66 pairs of a state and an action were tried")
+    print(f"  {(data.visits > 0).sum()} of 66 pairs of an action and a state before 8:30 were tried")
 
 # %% [markdown]
 # | setting | value |
@@ -192,7 +192,7 @@ whose.measured(whose.options[0 if random_kept > good_kept + 0.5 else 1 if good_k
 # %% [markdown]
 # ## Your turn
 #
-# How many nights does each need, and what does a larger penalty cost? (6 runs for each point.)
+# How many nights does each rule need, and what does a larger penalty cost? (6 runs for each point.)
 
 
 # %%
@@ -230,7 +230,7 @@ print(f"promised {learned.start:.1f}, kept {policy_evaluation(model, learned.gre
 # %% [markdown]
 # At $(6, 2)$ the good clock has always chimed. Its value is −0.7 by the data (in truth it is lower still). Nobody has tried to stay quiet or to ring there, so both keep
 # their 0, and 0 is more. The maximum takes it (where several values are equal, this policy takes each equally often). At $(5, 2)$ somebody stayed quiet once, and got 2; the target adds the 0 of the
-# next state, and so the wrong value climbs back, step by step, to the first state. In truth she oversleeps in most nights of the learned clock.
+# next state, and so the wrong value climbs back, step by step, to the first state. In truth she oversleeps in at least half of the nights of the learned clock.
 #
 # Could the estimates from above have warned? Let us ask them what the learned policy is worth:
 
@@ -241,8 +241,7 @@ for method in ("ordinary", "per decision", "doubly robust"):
     print(f"{method:13} {found.value:5.2f} ± {found.standard_error:.2f}, as from {found.effective_episodes:.0f} nights")
 
 # %% [markdown]
-# They cannot. (*Per decision* has a value even from 0 whole nights, since it uses the first steps of nights that leave the policy later. The value can be far off.) Nights as this policy plays them are so rare (about one in 10 000) that these 300 contain none, and 300 fresh ones would hardly contain one either. (Besides, they have no bias only for a policy
-# that was chosen without a look at these nights, and this one was learned from them.) The doubly robust estimate even
+# They cannot. (*Per decision* has a value even from 0 whole nights, since it uses the first steps of nights that leave the policy later. The value can be far off.) Nights as this policy plays them are so rare (about one in 10 000) that these 300 contain none, and 300 fresh ones would hardly contain one either. The doubly robust estimate even
 # repeats the promise, with a standard error of 0, since no step of the data corrects the values it was given. But one number does warn: these
 # estimates rest on *no* whole night. Look at the effective number before you look at the estimate.
 
@@ -250,7 +249,7 @@ for method in ("ordinary", "per decision", "doubly robust"):
 # ## Predict, then check
 #
 # ### Is it the zero?
-# Take the cause away. We leave the penalty out ($c = 0$), and only give the *lowest* value, −42, to what was never tried.
+# We leave the penalty out ($c = 0$), and only give the *lowest* value, −42, to what was never tried.
 #
 # **Predict.** From the nearly perfect clock's 300 nights, the learned policy now keeps ... (it was 5.8, and 10.3 is the best).
 
@@ -270,10 +269,6 @@ no_zero.measured(good.kept["unseen is worst"].mean())
 # **Measured.** About 9.7: most of the harm came from the zero. The rest is what the penalty is for: it keeps 10.3. An action that was tried
 # once or twice has a value that is too high or too low by chance, and the maximum looks for the one that is too high (the
 # maximisation bias of Sutton and Barto, section 6.7).
-#
-# The zero does the same harm on a longer morning. On Roadrunner (lesson 2) the runner falls off the cliff: promised −0.7, kept −77 (share 0.97, 100 episodes). On Boulder (lesson 1, with a discount of 0.99), where no
-# return is below 0, the zero does no harm: there it *is* the lowest value. With a network in the place of the table an untried action has whatever value
-# the network makes up for it.
 # </details>
 
 # %% [markdown]
@@ -308,7 +303,7 @@ more_nights.measured(more_nights.options[2 if thousand < gathered else 1 if thou
 
 # %% [markdown]
 # ### What does pessimism cost?
-# The control: a thousand random nights, in which every action was tried often. Nothing is left to be protected from.
+# The control: a thousand random nights, in which every action was tried often.
 #
 # **Predict.** Compared with fitted Q as it is, pessimism ($c = 1$) ...
 
@@ -340,7 +335,7 @@ cost.measured(cost.options[(0 if gain > 0.15 else 3 if gain < -0.15 else 1) if l
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It keeps the same and promises less: 9.3 where 10.3 is kept. Where every action was tried often, pessimism gains next to nothing, and its
-# values are wrong, on purpose. A large penalty is worse: with $c = 10$, 300 random nights teach a clock that keeps 7 instead of 10. (With so large a penalty 300 nights are too few: from 3000 random nights it keeps 10.2.) Is it just imitation, then? The action that
+# values are wrong, on purpose. A large penalty is worse: with $c = 10$, 300 random nights teach a clock that keeps 7 instead of 10. Is it just imitation, then? The action that
 # the log-book has most often is as good (10.3) if a good clock wrote it, and keeps −9 if the buttons were random. A pessimist
 # imitates where nothing better is known, and improves where it is.
 # </details>
@@ -368,7 +363,7 @@ counting.measured(longer.effective.mean())
 # although they are biased.
 # </details>
 #
-# The figure shows how far each estimate is off on nights of 8 steps. The ordinary one is the worst; the weighted one and the doubly robust one are about equally good here, and *per decision* lies between (at 1000 nights 20 repetitions do not show it):
+# The figure shows how far each estimate is off on nights of 8 steps. The ordinary one is the worst, and *per decision* mostly lies between it and the other two:
 
 # %%
 nights = {n: methods.judged(n_nights=n, repetitions=20) for n in (300, 1000, 3000, 10_000)}
@@ -525,7 +520,7 @@ check(project_16, my_program)
 # ## What you saw
 #
 # - A policy that never acted can be judged by the data of another one; of 1 000 nights 44 counted, and of longer nights about 8.
-# - Fitted Q learned a better clock from random nights than from those of a nearly perfect clock, which leave many actions untried.
+# - Fitted Q learned a better clock from 300 random nights than from 300 of a nearly perfect clock, which leave many actions untried.
 # - It promised 13.4 and kept 5.8: the maximum takes what nobody has tried where its first value, 0, is more than what was tried is worth.
 # - With the lowest value for what was never tried, and a penalty for what was tried seldom, it kept 10.3, more than the data gathered.
 # - Where every action was tried often, pessimism gained next to nothing and promised too little.
@@ -540,8 +535,8 @@ check(project_16, my_program)
 # ### Limits
 # The behaviour policy is known here, and every state is seen as it is. If the log-book does not say with which probability an action was taken, it must be
 # estimated; if the old clock saw something that the log-book does not have, all of this can go wrong, and the data need not show it. The
-# penalty was chosen by us: where a ring costs 2 and oversleeping 20, $c = 1$ still promises too much on average from the nearly perfect clock's nights. Theory gives a safe $c$, from how large
-# rewards can be, and it is much larger. In a table an untried action has the first value; a network invents one,
+# penalty was chosen by us. Theory gives a safe $c$, from how large
+# rewards can be, and it is much larger than our 1. In a table an untried action has the first value; a network invents one,
 # and methods such as conservative Q-learning press it down.
 #
 # ### Further reading

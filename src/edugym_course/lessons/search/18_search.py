@@ -206,10 +206,10 @@ highest = methods.told("well", highest=True, repetitions=20).mean()
 print(f"told the value of good play, c = 10: {highest:.0f} if a value is the highest return, and not the mean")
 
 # %% [markdown]
-# Told the value of good play, but with $c = 10$, it gets 78; with $c = 1$, but roll-outs, 63; with both it gets 95.
+# Told the value of good play, UCT gets 78 with $c = 10$, and 95 with $c = 1$; with roll-outs and $c = 1$ it gets 63.
 #
 # - Why 78 here? A value in the tree is the mean over all tries, the poor ones too: if it is the *highest* return of these tries, UCT gets 95. More simulations are no cure: 10 000 get 78, too.
-# - With roll-outs the highest return makes it worse: 53 at best, for three values of $c$ (60 runs each). So what keeps UCT near 80 there, this does not tell.
+# - With roll-outs the highest return makes it worse: 53 at best, for three values of $c$ (60 runs each). So this does not tell what keeps UCT near 80 there.
 # - Told the value of random play, it gets 59, as plain roll-outs do in the long run. So here even the errors of the roll-outs help.
 
 # %% [markdown]
