@@ -393,7 +393,7 @@ def bits_in(joint):
 
 # %% the sums in each other's place
 # says: raises IndexError: boolean index did not match
-# says: two arrays of different sizes meet there: are rows and columns in order? (`+` adds, np.concatenate joins.)
+# says: two arrays of different sizes meet there: are rows and columns in order?
 def bits_in(joint):
     seen = joint > 0
     return np.sum(joint[seen] * np.log2(joint[seen] / np.outer(joint.sum(0), joint.sum(1))[seen]))
