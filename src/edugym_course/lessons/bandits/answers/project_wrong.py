@@ -117,7 +117,7 @@
 
 # %% first values of 1
 # slow
-# says:  steps the actions of my_program follow from its own steps by another equation than that of this lesson.
+# says:  steps, the actions follow from the program's own steps by another equation than that of this lesson.
 # says: the first values are 1; in the text they are 0
 # in: with lists
 # - means, pulls = [0.0] * n, [0] * n
