@@ -2,6 +2,7 @@
 
 import importlib.util
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -77,6 +78,16 @@ def press(page: Page, cell: int, selector: str, *keys: str) -> Any:
     return page("document.activeElement")
 
 
+def shown(page: Page, box: Any) -> str:
+    """The picture and the text in a box."""
+    return page.picture(box) + page.text(box)
+
+
+def has_changed(page: Page, box: Any, before: str) -> bool:
+    """Whether a box shows something else than before."""
+    return shown(page, box) != before
+
+
 def test_predictions(page: Page) -> None:
     """Tab reaches each option, the space bar takes it, and a number is typed."""
     from selenium.webdriver.common.keys import Keys
@@ -101,9 +112,9 @@ def test_sliders_films_and_games(page: Page) -> None:
         (3, "button:enabled", Keys.SPACE),
     ):
         box = page(f"{PANEL}.content.widgets[{cell}].node.querySelector('.jp-OutputArea .widget-vbox')")
-        before = page.picture(box) + page.text(box)
+        before = shown(page, box)
         press(page, cell, selector, key)
-        until(lambda box=box, before=before: page.picture(box) + page.text(box) != before, f"{key} in {cell}", 30)
+        until(partial(has_changed, page, box, before), f"{key} in {cell}", 30)
         assert page.errors(box) == []
 
 
