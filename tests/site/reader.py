@@ -1,30 +1,13 @@
 """Somebody who uses the playground in a real browser."""
 
-import importlib.util
 import os
 from pathlib import Path
 from typing import Any
 
-import pytest
-
-from tests.course.lab.browser import CHROMIUM, DRIVER, until
+from tests.course.lab.browser import until
 
 SCREENSHOTS = os.environ.get("EDUGYM_SCREENSHOTS")
 WIDE, PHONE = (1400, 1000), (390, 844)
-IN_A_BROWSER = [
-    pytest.mark.slow,
-    pytest.mark.skipif(
-        not (CHROMIUM and DRIVER and importlib.util.find_spec("selenium")),
-        reason="needs Chromium, chromedriver and Selenium; CONTRIBUTING.md says how to install them",
-    ),
-]
-
-
-def faults(driver: Any, axe: str) -> list[Any]:
-    """What on the open page, without those within it, breaks axe's rules, WCAG AA among them."""
-    driver.execute_script(axe)
-    found = driver.execute_async_script("axe.run({ exclude: ['iframe'] }).then(arguments[0])")
-    return [(fault["id"], [node["html"] for node in fault["nodes"]]) for fault in found["violations"]]
 
 
 class Reader:

@@ -11,8 +11,8 @@ import playground
 import pytest
 from races import BOULDER, RACES
 
-from tests.course.lab.browser import chromium, until
-from tests.site.reader import IN_A_BROWSER, PHONE, WIDE, Reader, faults
+from tests.course.lab.browser import IN_A_BROWSER, chromium, faults, until
+from tests.site.reader import PHONE, WIDE, Reader
 
 pytestmark = IN_A_BROWSER
 

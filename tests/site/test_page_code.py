@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 from races import BOULDER, RACES
 
-from tests.course.lab.browser import until
-from tests.site.reader import IN_A_BROWSER, PHONE, WIDE, Reader, faults
+from tests.course.lab.browser import IN_A_BROWSER, faults, until
+from tests.site.reader import PHONE, WIDE, Reader
 
 pytestmark = IN_A_BROWSER
 

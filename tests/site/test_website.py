@@ -17,9 +17,8 @@ import pytest
 import repository
 import versions
 
-from tests.course.lab.browser import CHROMIUM, DRIVER, chromium, until
+from tests.course.lab.browser import chromium, faults, needs_browser, until
 from tests.site.links import Found, broken, found_in
-from tests.site.reader import faults
 from tests.site.serving import served
 
 PAGES = [
@@ -36,10 +35,6 @@ PAGES = [
     "search",
 ]
 WIDTHS = (1400, 390, 360)
-needs_browser = pytest.mark.skipif(
-    not (CHROMIUM and DRIVER and importlib.util.find_spec("selenium")),
-    reason="needs Chromium, chromedriver and Selenium; CONTRIBUTING.md says how to install them",
-)
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.skipif(importlib.util.find_spec("furo") is None, reason='needs Sphinx: pip install ".[site]"'),

@@ -1,5 +1,6 @@
 """JupyterLab in a headless Chromium, as a student sees it."""
 
+import importlib.util
 import json
 import os
 import shutil
@@ -14,8 +15,18 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import nbformat
+import pytest
+from nbformat.v4 import new_notebook
+
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 DRIVER = shutil.which("chromedriver")
+needs_browser = pytest.mark.skipif(
+    not (CHROMIUM and DRIVER and importlib.util.find_spec("selenium")),
+    reason="needs Chromium, chromedriver and Selenium; CONTRIBUTING.md says how to install them",
+)
+IN_A_BROWSER = [pytest.mark.slow, needs_browser]
+"""The marks of tests that need one."""
 PANEL = "jupyterapp.shell.currentWidget"
 SESSION = f"{PANEL}.sessionContext"
 WINDOW = 1400, 1000
@@ -220,6 +231,31 @@ class Page:
         handle_box = "arguments[0].getBoundingClientRect()"
         pixels = self(f"{track}.{end} - ({handle_box}.left + {handle_box}.right) / 2", handle)
         ActionChains(self.driver, duration=20).drag_and_drop_by_offset(handle, round(pixels), 0).perform()
+
+
+@contextmanager
+def open_notebook(
+    folder: Path, cells: list[Any], width: int, height: int, theme: str = "JupyterLab Light"
+) -> Iterator[Page]:
+    """Run the cells of a new notebook to its end, on a screen of this size, and yield its page with all widgets."""
+    metadata = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
+    with running_lab(folder, theme) as lab, chromium() as driver:
+        nbformat.write(new_notebook(cells=cells, metadata=metadata), folder / "lessons" / "all.ipynb")
+        screen = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
+        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+        page = Page(driver, lab, "all.ipynb")
+        if page("jupyterapp.shell.leftCollapsed === false"):
+            page.command("application:toggle-left-area")
+        page.run_all()
+        page.widgets()
+        yield page
+
+
+def faults(driver: Any, axe: str, where: str = "{ exclude: ['iframe'] }") -> list[tuple[str, list[str]]]:
+    """What breaks axe's rules, WCAG AA among them: by default on the open page, without those within it."""
+    driver.execute_script(axe)
+    found = driver.execute_async_script(f"axe.run({where}).then(arguments[0])")
+    return [(fault["id"], [node["html"] for node in fault["nodes"]]) for fault in found["violations"]]
 
 
 def screenshots(page: Page, folder: Path, name: str) -> None:

@@ -4,7 +4,6 @@ It runs where Chromium, its driver and Selenium are installed; CONTRIBUTING.md s
 screenshots to look at.
 """
 
-import importlib.util
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,7 +15,7 @@ from asides import is_opening
 
 from edugym_course.lab.lessons import student_lessons
 from edugym_course.teaching.marks import is_aside
-from tests.course.lab.browser import CHROMIUM, DRIVER, PANEL, Lab, Page, chromium, running_lab, screenshots, until
+from tests.course.lab.browser import IN_A_BROWSER, PANEL, Lab, Page, chromium, running_lab, screenshots, until
 
 SCREENSHOTS = os.environ.get("EDUGYM_SCREENSHOTS")
 TRAINED = "01_exploration"
@@ -31,13 +30,7 @@ del os, sys, few_runs
 """In one lesson agents train in two runs, in the others results are made up: a student sees and moves the same."""
 LESSONS = [lesson.name for lesson in student_lessons()]
 
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(
-        not (CHROMIUM and DRIVER and importlib.util.find_spec("selenium")),
-        reason="needs Chromium, chromedriver and Selenium; CONTRIBUTING.md says how to install them",
-    ),
-]
+pytestmark = IN_A_BROWSER
 
 
 @pytest.fixture(scope="module", params=["Light", "Dark"] if SCREENSHOTS else ["Light"])

@@ -1,22 +1,13 @@
 """A lesson in JupyterLab on the screen of a phone, in a real browser: what it shows can be read."""
 
-import importlib.util
 from collections.abc import Iterator
-from pathlib import Path
 
-import nbformat
 import pytest
-from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
+from nbformat.v4 import new_code_cell, new_markdown_cell
 
-from tests.course.lab.browser import CHROMIUM, DRIVER, PANEL, Page, chromium, running_lab
+from tests.course.lab.browser import IN_A_BROWSER, PANEL, Page, open_notebook
 
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(
-        not (CHROMIUM and DRIVER and importlib.util.find_spec("selenium")),
-        reason="needs Chromium, chromedriver and Selenium; CONTRIBUTING.md says how to install them",
-    ),
-]
+pytestmark = IN_A_BROWSER
 
 CELLS = (
     """
@@ -60,18 +51,8 @@ return [...{PANEL}.content.node.querySelectorAll('.jp-OutputArea-output :is(img[
 @pytest.fixture(scope="module")
 def page(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
     """A notebook with each kind of output, run to its end, on a screen 390 pixels wide."""
-    folder = tmp_path_factory.mktemp("phone")
     cells = [*map(new_code_cell, CELLS), new_markdown_cell(FOLD)]
-    metadata = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
-    with running_lab(folder) as lab, chromium() as driver:
-        nbformat.write(new_notebook(cells=cells, metadata=metadata), Path(folder, "lessons", "all.ipynb"))
-        screen = {"width": 390, "height": 4000, "deviceScaleFactor": 1, "mobile": False}
-        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
-        page = Page(driver, lab, "all.ipynb")
-        if page("jupyterapp.shell.leftCollapsed === false"):
-            page.command("application:toggle-left-area")
-        page.run_all()
-        page.widgets()
+    with open_notebook(tmp_path_factory.mktemp("phone"), cells, 390, 4000) as page:
         yield page
 
 

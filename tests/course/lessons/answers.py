@@ -76,7 +76,10 @@ def read_answers(lesson: str) -> tuple[str, list[Answer]]:
             if code.startswith("# in: "):
                 of, _, edits = code.removeprefix("# in: ").partition("\n")
                 if of.startswith(SOLUTION):
-                    functions = functions_of(read_exercises(build.lesson_sources()[lesson])[1][exercise - 1].solution)
+                    source = build.lesson_sources()[lesson]
+                    asked = read_exercises(source)[1][exercise - 1] if exercise else read_project(source)
+                    assert asked, f"{path}: the lesson has no project"
+                    functions = functions_of(asked.solution)
                     programs = {of: "\n\n".join(functions[part] for part in of.removeprefix(SOLUTION).split(", "))}
                 else:
                     programs = {answer.name: answer.code for answer in answers if answer[1:3] == (exercise, True)}

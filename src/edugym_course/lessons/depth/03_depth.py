@@ -88,8 +88,8 @@ play(
 #
 # All agents of this lesson keep a table of action values $Q(s, a)$ and act ε-greedily: they take a random action with
 # probability $\varepsilon$, and otherwise the one with the largest value. They move values towards a
-# *target*. Those of the experiment differ in one number, $n$: how many real rewards the target contains before it ends with a learned
-# value.
+# *target*. Those of the experiment differ in one number, $n$: how many real rewards the target contains before it ends
+# with a learned value.
 #
 # SARSA uses one reward. The **$n$-step target** uses $n$ of them (Sutton and Barto, equation 7.4):
 #
@@ -247,8 +247,8 @@ print(f"optimum      {study.reward_threshold:.2f}")
 #
 # The paper (Moerland et al., 2023) says: Monte Carlo learns fast after its first success and then has trouble with
 # details; one-step methods learn slowly and end better; and Monte Carlo suffers more when rewards are noisier, or when
-# there are more actions that do not matter. We test all of this. Here are three amounts of noise (an aside says whether more noise hurts Monte Carlo); more actions
-# follow below.
+# there are more actions that do not matter. We test all of this. Here are three amounts of noise (an aside says whether
+# more noise hurts Monte Carlo); more actions follow below.
 #
 # | setting | value |
 # |---|---|
@@ -707,11 +707,10 @@ suffers.measured(max(loss, key=loss.get))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Monte Carlo loses most, and $n = 1$ least. As the paper says, actions without effect make deep methods
-# suffer, at this $\alpha$. But not by their variance: in four runs of five Monte Carlo *never passed the exam at all*. So for Monte Carlo this is a problem of exploration, not of credit. (For $n = 3$ and $n = 5$
-# it is something of both.)
+# suffer, at this $\alpha$. But not by their variance: in four runs of five Monte Carlo *never passed the exam at all*. So for
+# Monte Carlo this is a problem of exploration, not of credit. (For $n = 3$ and $n = 5$ it is something of both. The first
+# aside below takes the runs apart.)
 # </details>
-#
-# (The first aside below takes the runs apart.)
 
 # %% [markdown] tags=["aside"]
 # ### Aside: is that the variance again?

@@ -304,7 +304,7 @@ sliders(
 #
 # **Measured.** With ten runs each:
 #
-# - **height.** The novelty reward solves 20 in all runs and 40 in a quarter of larger sets. At 60 and 80 it gets to 40 and 37.
+# - **height.** The novelty reward solves 20 in all runs, and 40 in a quarter of more than these ten. At 60 and 80 it gets to 40 and 37.
 # - **n_grips.** At height 60 the novelty agent gets to 27 with three and to 19 with five. Go-Explore
 #   still solves it with three, and with five in nearly all of 100 runs.
 # - **ε.** Only the novelty agent feels it much: on height 20 it solves the wall in most runs with 0.05 to 0.5, and in
@@ -392,8 +392,9 @@ for method in causes.methods:
 # </details>
 
 # %% [markdown]
-# So high on the wall novelty slows down for two reasons, the way back and the grip, and they multiply. At a frontier of 40, one climb in
-# eight of an agent that knows the way gets back, and one visit in twenty takes the right grip: that makes about 150 climbs after each wrong first try.
+# So high on the wall novelty slows down for two reasons, the way back and the grip, and they multiply. At a frontier of
+# 40, one climb in eight of an agent that knows the way gets back, and one visit in twenty takes the right grip: that
+# makes about 150 climbs after each wrong first try.
 # And the two pull in opposite directions: slips end the climbs, and slips are what it needs at the frontier. (Exercise
 # 3 mends both.)
 
@@ -440,7 +441,7 @@ two_branches.measured(seen)
 # all runs return to both frontiers. So the agent does leave a frontier that it should push on, but lasting detachment
 # does *not* appear here. We think that there are two reasons: the bonus $\beta/\sqrt{n}$ fades but never ends, and a table
 # does not forget the way, as a neural network can. What two branches do cost is time: the higher of the two frontiers gets
-# to 27 on average (to 29 in 300 runs), and the one frontier of a single wall to 39.
+# to 27 on average (to 29 in 300 runs), and the one frontier of a single wall to 37.
 # </details>
 
 # %% [markdown]

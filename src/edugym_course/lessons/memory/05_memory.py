@@ -283,8 +283,8 @@ sliders(
 #   then tied with others.
 # - With $\gamma = 0$ it ends at 7.1.
 #
-# Why does γ hardly matter? Every right door is rewarded at once. The difficulty of this task is not that rewards come late, but that the *information*
-# comes early and is needed late. </details>
+# Why does γ hardly matter? Every right door is rewarded at once. The difficulty of this task is not that rewards come
+# late, but that the *information* comes early and is needed late. </details>
 
 # %% [markdown]
 # ## See inside: the sliding window
@@ -368,9 +368,10 @@ for length in range(3, 9):
 # Say that corridor $L$ is the longest one that must be played without an error.
 #
 # - In every *shorter* corridor the agent must see two marks, to know its length: with one alone, two corridors look the
-#   same where their doors agree. (In corridors 1 and 2 the copies at the start stand in for one.) That is hardest at the last unmarked place of corridor $L - 1$, where the second last
-#   mark lies $2L - 4$ steps back. (The lower picture above is this moment for $L = 4$: one more entry, four steps back,
-#   would show the mark of step 0.) With the present observation that makes $2L - 3$.
+#   same where their doors agree. (In corridors 1 and 2 the copies at the start stand in for one.) That is hardest at the
+#   last unmarked place of corridor $L - 1$, where the second last mark lies $2L - 4$ steps back. (The lower picture above
+#   is this moment for $L = 4$: one more entry, four steps back, would show the mark of step 0.) With the present
+#   observation that makes $2L - 3$.
 # - In corridor $L$ itself one mark is enough. In all shorter corridors the agent sees two, so a single one means
 #   corridor $L$.
 

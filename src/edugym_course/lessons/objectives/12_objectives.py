@@ -166,7 +166,7 @@ figures.front(1.0, distance=(1.0, 12.0))
 # vector for each action. Its best action is the closest. In the code:
 #
 # - `best_returns` is $\mathbf{z}$, as far as the dives so far have shown it (`margin` is 0 here);
-# - `total` is what this dive has brought so far, and `so_far[s]` what it had brought in `s`, added if `whole_returns` is true;
+# - `total` is what this dive has brought so far, and `so_far[s]` what it had brought when it came to `s`, added if `whole_returns` is true;
 # - `closeness` is $-d$ of each action, and `vector_of_best` takes the vector of the closest one.
 
 # %%

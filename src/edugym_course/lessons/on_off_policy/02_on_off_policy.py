@@ -601,7 +601,7 @@ stop.measured(np.mean(methods.stopping_places(zone, "SARSA", stop_zone=2)))
 # **Measured.** Between 8 and 9. Q-learning always stops at the edge, and SARSA before it, in cell 8, in more than half of
 # its runs. This is the paper's picture of the two. Expected SARSA stops in cell 8 in all its runs, which
 # is the best for $\varepsilon = 0.2$. The other runs of SARSA were unlucky again, we think: the two ways part at position 1, where
-# their values differ by 0.5, and one slip often takes 1 or 2 off the better one. With $\alpha = 0.003$ all but one stop in cell 8.
+# their values differ by 0.5, and one slip can take more than that off the better one. With $\alpha = 0.003$ all but one stop in cell 8.
 # </details>
 
 # %% [markdown]

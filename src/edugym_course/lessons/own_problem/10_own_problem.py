@@ -357,8 +357,8 @@ for method, returns in worth.items():
 # %% [markdown]
 # All five learn a clock that is far better than random actions. Dyna is close to the optimum after 1 000 steps (125
 # mornings), and finds the best policy in most runs. 3-step SARSA is the second fastest, but in 400
-# more runs it ends lower than Q-learning (9.47 against 9.71). The other three are still rising at 10 000. The novelty reward is no
-# help here: in 1 000 runs it was behind Q-learning after 1 000 steps (5.9 against 6.6), and ended at the same value.
+# more runs it ends lower than Q-learning (9.47 against 9.71). The other three are still rising. The novelty reward is no
+# help here: in 1 000 runs it was 0.7 behind Q-learning after 1 000 steps, and ended at the same value.
 # (On the left the points are means of played episodes, which luck may lift above the optimum, 10.32; on the right the
 # policies are evaluated exactly.)
 
@@ -621,7 +621,7 @@ possible = plans["the clock that sees the time"][0]
 print(f"Q-learning that sees the time: mean {returns.mean():.2f} of {possible:.2f} possible")
 
 # %% [markdown]
-# Q-learning falls short of 9.98, and more training does not help: after 1 000 000 steps every one of 30 runs was at 9.10.
+# Q-learning falls short of 9.98, and more training does not help: after 1 000 000 steps 30 runs were at 9.1 on average.
 # Where it does not see the whole state, Q-learning has no guarantee. What you measure is the variable's worth *for this
 # agent*.
 
@@ -772,11 +772,11 @@ display(races.count_matters(UsedToIt))
 #
 # **Measured.** "The old clock" is the policy that was best for a sleeper who hears every chime. With the new one it is
 # worth only 5.7, where the optimum is 9.9, since it was planned with wrong dynamics. But up to 20 000 steps Q-learning does
-# no better with a look at `chimes`: in 200 runs it is even a little behind (8.7 against 9.0; both are about 1 below the
-# optimum). It is ahead only after 100 000. The optimum needs no such look: one of the best rules sees only time and depth. It is quiet until 8:10, and then it chimes at most twice, or rings at
-# 8:20 if she is fast asleep. Two questions must be kept apart. What
-# must the *state* have, so that the dynamics are right? All that makes a difference for the future. What must the
-# *agent see*? That is a matter of measuring. </details>
+# no better with a look at `chimes`: in 200 runs it is even a little behind (8.8 against 9.0; both are about 1 below the
+# optimum). With 100 000 steps it is ahead. The optimum needs no such look: one of the best rules sees only time and
+# depth. It is quiet until 8:10, and then it chimes at most twice, or rings at 8:20 if she is fast asleep. Two questions
+# must be kept apart. What must the *state* have, so that the dynamics are right? All that makes a difference for the
+# future. What must the *agent see*? That is a matter of measuring. </details>
 
 # %% [markdown]
 # ### Exercise 4: your own problem

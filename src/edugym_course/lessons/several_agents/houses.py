@@ -108,13 +108,13 @@ class Riddle(NamedTuple):
     Attributes:
         make: makes the house; actions and rooms are numbered anew with each seed.
         asks: what a program that fails here has missed.
-        is_chancy: whether bad luck makes a right program fail at times, in 6 of 40 runs in one of them. One that fails
-            must then play two more houses of the same kind safely, with twice as many steps.
+        again: where bad luck makes a right program fail at times, how many times as many steps it then has for each of
+            two more houses of the same kind, both of which it must play safely; 0 where it fails at once.
     """
 
     make: Callable[[Random], House]
     asks: str
-    is_chancy: bool = False
+    again: int = 0
 
 
 def _turned(table: Any, rng: Random) -> Reals:
@@ -219,7 +219,7 @@ CHANCE = Riddle(
     _chance,
     "there chance says whether an action is paid, so one reward tells little: Q moves by α (T - Q), with α about 0.2."
     " (And does each player have as many actions as `action_space` says, and are random ones drawn among all of them?)",
-    is_chancy=True,
+    again=1,
 )
 TRAPS = Riddle(
     _traps,
@@ -258,6 +258,6 @@ RIDDLES = (
         partial(_soon, at_once=17.5, least=-30.0),
         "there a room that costs 10 is better than 17.5 at once and then a room that costs 30: what follows is"
         " multiplied by γ = 0.9, and by no less, and it may be far below 0; and Q moves by α (T - Q)",
-        is_chancy=True,
+        again=2,
     ),
 )

@@ -173,7 +173,7 @@ def check_riddle(program: Any, riddle: Riddle, seed: int) -> float:
     weak = weak_points(model, policy)
     if weak.max() < NEAR:
         return float(weak.max())
-    if riddle.is_chancy and (again := max(_won(program, riddle, seed + one) for one in (1, 2))) < NEAR:
+    if riddle.again and (again := max(_won(program, riddle, seed + one) for one in (1, 2))) < NEAR:
         return again
     place = int(weak.argmax())
     why = "" if nobody_asks_why() else _cause(program, riddle, game, policy, place, seed)
@@ -184,9 +184,9 @@ def check_riddle(program: Any, riddle: Riddle, seed: int) -> float:
 
 
 def _won(program: Any, riddle: Riddle, seed: int) -> float:
-    """Return the most that can be won from a program that has twice as many steps for a riddle."""
+    """Return the most that can be won from a program in a house of a riddle that is tried again."""
     game = riddle.make(np.random.default_rng(seed))
-    return float(weak_points(game_model(game), run(program, game, 2 * N_STEPS, seed)[1]).max())
+    return float(weak_points(game_model(game), run(program, game, riddle.again * N_STEPS, seed)[1]).max())
 
 
 def _cause(program: Any, riddle: Riddle, game: House, policy: Reals, place: int, seed: int) -> str:

@@ -780,10 +780,9 @@ display(figures.race({"my listener": Listener.create}))
 # <details><summary>What the race shows</summary>
 #
 # The listener is above the vote at every length. The gain is largest in the middle: with four words it gets some 1 000
-# more. With one word its memory helps only
-# when the word names what it has just done: then the word is probably wrong, and it guesses among the other three. With
-# 28 words the gain is small, since the message alone tells nearly enough. (On this calm toy taking turns beats both. On
-# the moody toy below it fails.)
+# more. With one word its memory helps only when the word names what it has just done: then the word is probably wrong,
+# and it guesses among the other three. With 28 words the gain is small, since the message alone tells nearly enough. (On
+# this calm toy taking turns beats both. On the moody toy below it fails.)
 # </details>
 
 # %% [markdown]

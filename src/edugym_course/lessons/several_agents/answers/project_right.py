@@ -60,3 +60,11 @@ def my_program(environment, n_steps, seed):
         if not environment.agents and steps < n_steps:
             observations, _ = environment.reset()
     return lambda s: both.pi[s]
+
+
+# %% other random numbers, with bad luck in one game
+# slow
+# in: the solution of my_program
+# - rng = np.random.default_rng(seed)
+# + rng = np.random.default_rng(seed)
+# + rng.random(5)
