@@ -1,5 +1,8 @@
 """What machine code may assume holds for lines that were never reached before: as Python does it, or refused."""
 
+import traceback
+from typing import Any
+
 import pytest
 
 from edugym import QLearning, train
@@ -339,12 +342,23 @@ def test_tasks_made_at_random(seeds: range) -> None:
 
 @pytest.mark.usefixtures("compiled_at_once")
 def test_compiling_that_takes_too_long(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It is given up with a sentence, and the run goes on."""
+    """It is given up with a sentence, and the run goes on; the build stops, but only between two passes of Numba."""
+    stopped_in, build = [], compiler._build
+
+    def watched(*arguments: Any) -> Any:
+        try:
+            return build(*arguments)
+        except BaseException as error:
+            stopped_in.append(traceback.extract_tb(error.__traceback__)[-1].name)
+            raise
+
     monkeypatch.setattr(compiler, "MOST_SECONDS", 0.0)
+    monkeypatch.setattr(compiler, "_build", watched)
     notebook = cell(WALK.replace("-0.25", "-0.75"))  # which no other test has compiled
     with pytest.warns(UserWarning, match="compiling takes longer than 0 s"):
         run = train(notebook["Walk"](5), QLearning.create((6, 2)), 6_000)
     assert run.complete
+    assert stopped_in == ["on_start"]  # the loop of evaluations reaches the same methods, and is not tried
 
 
 def test_a_mistake_comes_at_the_step_at_which_python_has_it() -> None:

@@ -17,14 +17,16 @@ import time
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
+from types import CodeType
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.compiled.code import Code, code_of
+from edugym.compiled.code import Code, code_of, is_foreign
 from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, publish, remove, seal
 from edugym.compiled.error_messages import reason
 from edugym.compiled.numba_setup import CompilationError, numba_ready, processor, refused_error, replacements
+from edugym.system.interrupts import Stopped
 from edugym.system.other_threads import call_within
 
 Function = Callable[..., Any]
@@ -45,6 +47,7 @@ KEPT = 3
 """The number of builds of a loop that are kept for classes of the same names."""
 MOST_SECONDS = 20.0
 """When compiling a student's code has taken so much processor time, it is given up."""
+_too_long: list[set[CodeType]] = []  # students' code of the builds that were given up: with more it takes no less
 _lock = threading.RLock()
 logger = logging.getLogger("edugym")
 LEAN = {"_nrt": False, "boundscheck": True}
@@ -149,9 +152,13 @@ def _find_or_build(numba: Any, loop: Function, signature: tuple[Any, ...], code:
     """
     if _find(loop, signature, code) is None:
         seconds = MOST_SECONDS if code.foreign else math.inf
+        own = {function.__code__ for function in code.functions if is_foreign(function)}
         try:
+            if any(too_long and too_long <= own for too_long in _too_long):
+                raise TimeoutError
             call_within(seconds, _build_once, numba, loop, signature, code)
         except TimeoutError:
+            _too_long.append(own)
             made = CompilationError(f"compiling takes longer than {seconds:.0f} s: make its methods shorter")
             _built[_Key(loop, code.fingerprint, signature, tuple(code.classes))] = made
     made = _find(loop, signature, code)
@@ -170,8 +177,8 @@ def _find(loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
     return None
 
 
-def _build_once(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> None:
-    """Builds it, unless another thread just did; one build at a time.
+def _build_once(late: threading.Event, numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> None:
+    """Builds it, unless another thread just did; one build at a time. It ends early once `late` is set.
 
     Of classes that have changed only the latest builds are kept, since each takes 2 MB.
     """
@@ -179,10 +186,11 @@ def _build_once(numba: Any, loop: Function, signature: tuple[Any, ...], code: Co
         if _find(loop, signature, code) is not None:
             return
         try:
-            made = _build(numba, loop, signature, code)
+            with importlib.import_module("edugym.compiled.compiler_pipelines").stopping_when(late):
+                made = _build(numba, loop, signature, code)
+        except Stopped:  # nobody waits
+            return
         except Exception as error:
-            if isinstance(error, TimeoutError):  # it was given up, and nobody waits
-                return
             made = CompilationError(_reason(error, code))
         _built[_Key(loop, code.fingerprint, signature, tuple(code.classes))] = made
         older = [other for other in _built if other.loop is loop and _alike(other.signature, signature)][:-KEPT]
@@ -262,7 +270,7 @@ def _build_and_keep(
         made = _compile(numba, loop, signature, unfinished, code, options)
         if options is LEAN:
             _check_no_counts(made.overloads[signature])
-    except Exception as error:
+    except BaseException as error:
         if unfinished:
             remove(unfinished)
         if isinstance(error, OSError) and unfinished:  # the disk is full

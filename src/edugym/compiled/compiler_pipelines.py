@@ -1,11 +1,13 @@
 """Numba's compiler pipelines for a loop and for the functions that it reaches, with added passes."""
 
+import threading
 import warnings
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from types import FunctionType
 from typing import Any
 
-from numba.core import compiler, errors, typed_passes, untyped_passes
+from numba.core import compiler, errors, event, typed_passes, untyped_passes
 from numba.core import compiler_machinery as machinery
 
 from edugym.compiled.facts import Incomplete, facts, require_complete
@@ -14,6 +16,7 @@ from edugym.compiled.mixed_numbers import follow_only
 from edugym.compiled.namedtuples import building
 from edugym.compiled.typed_checks import check_typed
 from edugym.compiled.untyped_checks import check_untyped, finish_own
+from edugym.system.interrupts import Stopped
 
 
 def _pass(name: str, work: Callable[[Any], bool], kind: str = "FunctionPass") -> Any:
@@ -102,6 +105,30 @@ def _pipeline(*, part: bool = True, checked: bool = False) -> Any:
 
 Loop, Part, CheckedPart = _pipeline(part=False), _pipeline(), _pipeline(checked=True)
 """The pipelines for a loop, for the package's own functions that it reaches, and for functions of students."""
+
+
+class _StopsAtNextPass(event.Listener):  # type: ignore[misc]
+    """Stops the build of this thread where Numba begins its next pass."""
+
+    def __init__(self, late: threading.Event) -> None:
+        self._late, self._thread = late, threading.get_ident()
+
+    def on_start(self, event: Any) -> None:
+        if self._late.is_set() and threading.get_ident() == self._thread:
+            raise Stopped
+
+    def on_end(self, event: Any) -> None:
+        """A pass has ended."""
+
+
+def stopping_when(late: threading.Event) -> AbstractContextManager[Any]:
+    """Raises `Stopped` in a build of this block, between two passes, once the event is set.
+
+    Raised anywhere else, it could leave llvmlite with an object that LLVM has already freed, and the process would
+    crash when that is collected.
+    """
+    listener: AbstractContextManager[Any] = event.install_listener("numba:run_pass", _StopsAtNextPass(late))
+    return listener
 
 
 def compile_until_known(

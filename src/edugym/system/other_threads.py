@@ -6,9 +6,9 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import suppress
-from typing import Any, ParamSpec, TypeVar
+from typing import Concatenate, ParamSpec, TypeVar
 
-from edugym.system.interrupts import AGAIN, Stopped, current_guard, later, raise_in_thread
+from edugym.system.interrupts import Stopped, current_guard
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -16,7 +16,7 @@ T = TypeVar("T")
 HAS_THREADS = sys.platform != "emscripten"
 """A browser's Python has none."""
 MOST_SECONDS_TO_END = 10.0
-"""How long a function that is ended is waited for."""
+"""How long a function that is late is waited for."""
 
 
 def call_interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
@@ -27,7 +27,12 @@ def call_interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwar
     Raises:
         Stopped: this thread is to stop.
     """
-    return call_within(math.inf, function, *args, **kwargs)
+
+    def call(late: threading.Event) -> T:
+        return function(*args, **kwargs)
+
+    call.__name__ = getattr(function, "__name__", "work")
+    return call_within(math.inf, call)
 
 
 def _clock_of_this_thread() -> Callable[[], float]:
@@ -40,18 +45,28 @@ def _clock_of_this_thread() -> Callable[[], float]:
     return lambda: time.process_time() - began
 
 
-def call_within(seconds: float, function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-    """The same with a limit, in seconds of processor time: then the function is ended, once it runs Python again.
+def call_within(
+    seconds: float, function: Callable[Concatenate[threading.Event, P], T], *args: P.args, **kwargs: P.kwargs
+) -> T:
+    """The same with a limit, in seconds of processor time, after which the function is told to end.
 
     Only the time of its own thread counts, where the system can tell it: other threads may run or compile meanwhile.
     Without threads the function is called here, and neither ends the wait.
+
+    Args:
+        seconds: the limit.
+        function: its first argument is an event that is set when the limit is over. The function should look at it
+            from time to time, and end: an error raised in its thread from here could hit it anywhere.
+        *args: its other arguments.
+        **kwargs: and its keyword arguments.
 
     Raises:
         Stopped: this thread is to stop.
         TimeoutError: it has taken longer.
     """
+    late = threading.Event()
     if not HAS_THREADS:
-        return function(*args, **kwargs)
+        return function(late, *args, **kwargs)
     done = threading.Event()
     returned: list[T] = []
     raised: list[BaseException] = []
@@ -61,7 +76,7 @@ def call_within(seconds: float, function: Callable[P, T], *args: P.args, **kwarg
     def call() -> None:
         try:
             clocks.append(_clock_of_this_thread())
-            returned.append(function(*args, **kwargs))
+            returned.append(function(late, *args, **kwargs))
         except BaseException as error:
             raised.append(error)
         finally:
@@ -77,27 +92,9 @@ def call_within(seconds: float, function: Callable[P, T], *args: P.args, **kwarg
         with suppress(OSError):  # it has just ended
             taken = clocks[0]() if clocks else taken
         if taken > seconds:
-            _end(thread, done)
+            late.set()
+            thread.join(MOST_SECONDS_TO_END)  # it may have silenced the warnings of all threads, as Numba does
             raise TimeoutError
     if raised:
         raise raised.pop()
     return returned.pop()
-
-
-def _end(thread: threading.Thread, done: threading.Event) -> None:
-    """Raise `TimeoutError` in a thread, and once more if Python ignores it, as it does in a callback of LLVM."""
-
-    def send() -> None:
-        if not done.is_set():
-            raise_in_thread(thread.ident or 0, TimeoutError)
-
-    def swallowed(unraisable: Any) -> None:
-        if issubclass(unraisable.exc_type, TimeoutError):
-            later(AGAIN, send)
-        else:
-            before(unraisable)
-
-    before, sys.unraisablehook = sys.unraisablehook, swallowed
-    send()
-    done.wait(MOST_SECONDS_TO_END)  # it may have silenced the warnings of all threads, as Numba does
-    sys.unraisablehook = before
