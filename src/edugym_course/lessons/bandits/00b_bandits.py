@@ -37,7 +37,7 @@ from edugym_course.notebook import play, predict, sliders, source
 #
 # | | | in words |
 # |---|---|---|
-# | states | one | nothing changes from pull to pull: an agent always sees the state 0 (the environment itself keeps the number of the best arm as its `state`) |
+# | states | one | nothing changes from pull to pull: an agent always sees the state 0. In the code below `state` is the number of the best arm, which no agent sees |
 # | actions | $a \in \{0, \dots, n - 1\}$ | the arm to pull; $n = 10$ |
 # | reward | $R \in \{0, 1\}$ | the best arm pays 1 with probability $(1 + \Delta)/2$, every other one with $(1 - \Delta)/2$ |
 # | gap | $\Delta = 0.2$ | so the best arm pays in 60 % of the pulls, and the others in 40 % |
@@ -95,8 +95,7 @@ finds.measured(100 * settled)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 15 %; a blind choice finds a tenth. The first arm that pays has a mean above 0, for ever; the other means stay 0: those arms did not pay, or were never pulled, and nobody pulls them any more. A mean becomes
-# right only for an arm that is pulled. So greedy stays with the first arm that pays. That is the best one with the probability $0.6 / (0.6 + 9 \cdot 0.4)$,
+# **Measured.** 15 %; a blind choice finds a tenth. The first arm that pays has a mean above 0, for ever; the other means stay 0: those arms did not pay, or were never pulled, and nobody pulls them any more. So greedy stays with the first arm that pays. That is the best one with the probability $0.6 / (0.6 + 9 \cdot 0.4)$,
 # or 1/7. If each arm was tried 30 times first, greedy finds the best one in 98 %.
 # </details>
 
@@ -188,7 +187,7 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It goes on growing evenly: each pull of the second half costs 0.018. That is exactly $\varepsilon \Delta (n - 1)/n$, the price of pulling a random arm in a share
+# **Measured.** It goes on growing evenly: each pull of the second half costs 0.018. That is $\varepsilon \Delta (n - 1)/n$, the price of pulling a random arm in a share
 # $\varepsilon$ of the pulls. Whoever goes on trying at the same rate goes on paying at the same rate. If $\varepsilon$ falls as $200/t$, a pull costs 0.005 instead; it pays more at first (98 against 67 after 1000 pulls), and less in the end (181 against 240).
 # </details>
 
@@ -196,11 +195,7 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 # On the right, pulls are on a logarithmic axis: what becomes a straight line there, as $C \ln t$ is, grows as a logarithm. On the left one sees that UCB (160), Thompson sampling (108) and the gradient bandit (162) pay less and less for a pull.
 # These three and the falling ε end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
 #
-# Optimism tries all arms in the beginning, until its first values have come down. Its regret goes on growing after that, though in the end 94 % of its runs pull the best arm. The likely reason: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best, sometimes for thousands of pulls.
-
-# %% [markdown] tags=["aside"]
-# ### Aside: two that grow more slowly than the bound
-# From 10 000 to 100 000 pulls $C \ln t$ adds 51, Thompson sampling 45 and the gradient bandit 22. Our guesses: for Thompson sampling the long run has not yet come. For the gradient bandit the bound is no bound, since on some bandits it stays at a worse arm for too long.
+# Optimism tries all arms in the beginning, until its first values have come down. Its regret goes on growing after that, though in the end 94 % of its runs pull the best arm. The likely reason: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: a softmax of the means
@@ -234,7 +229,7 @@ sliders(one_setting, n_arms=[2, 5, 10, 20], gap=[0.1, 0.2, 0.5, 1.0], drift=[0.0
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# More arms cost more, since each has to be tried. With a large gap the regret of UCB and of Thompson sampling soon
+# In short runs UCB can still be behind ε-greedy. With a large gap the regret of UCB and of Thompson sampling soon
 # rises slowly (UCB's in steps with a gap of 1, where it tests all worse arms again at about the same time), and ε-greedy's is a straight line once it knows the best arm. With drift, all curves go on rising: whoever has found the best arm must find the next one.
 # </details>
 
@@ -292,8 +287,7 @@ dearest.measured(max(dearest.options, key=paid.get))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 0.05: regret first rises with the gap, and then falls. With a gap of 0.01 UCB cannot find the best arm in 10 000 pulls, but no pull costs more than 0.01: random pulls cost 90 in all, and UCB pays 86. With a large gap every mistake is dear, and
-# seen at once. In between, mistakes are dear enough to hurt and small enough to hide. The hardest problem to *solve* is not the one that costs most.
-# (The dashed line is what random pulls cost where the gap is small, and $C \ln t$ where it is large. With a gap of 1 it is 0: the first pull that pays nothing gives a worse arm away.)
+# seen at once. In between, mistakes are dear enough to hurt and small enough to hide.
 # </details>
 
 # %% [markdown]
@@ -322,7 +316,7 @@ fair.measured(methods.pulls(methods.tries_first(100)).regret().mean())
 #
 # **Measured.** 180: nine worse arms, 100 pulls of each, 0.2 a pull. After that it makes hardly a mistake, but the test alone cost more than all that Thompson sampling paid. Ten tries are
 # too few (332): 15 % of the runs end with a worse arm. Thirty would have been right here (97), but not for a gap of 0.1, where a hundred are better, and not for one of 0.4, where ten are. With the right number the fair
-# test costs about as much as Thompson sampling, or less, at any of these gaps. (At 0.4, with ten tries, about one run in 200, and none of these 100, keeps a worse arm and pays 4000.) But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried until it is probably not the best.
+# test costs about as much as Thompson sampling, or less, at any of these gaps. But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried ever less, the less likely it is the best.
 # </details>
 
 # %% [markdown]
@@ -352,7 +346,7 @@ follows.measured(follows.options[2 if abs(mean / constant - 1) < 0.1 else 1 if c
 #
 # **Measured.** The constant rate: 905 against 1397. After thousands of pulls $1/N(A)$ is tiny, and the mean of an arm that was once the best hardly moves. The sample average forgets nothing,
 # and here what it remembers is no longer true. Without drift it is the other way round, 240 against 730: a value that forgets never becomes exact. Each agent is right about
-# one world. UCB does best here, though it has sample averages too: its bonus goes on sending it to arms that it left. Without this bonus from pull 1000 on ("bonus at first") it pays 1465 where arms drift, and only 82 where they do not. Thompson sampling, which paid least of the seven agents above, is worse than the constant rate here.
+# one world. UCB does best here, though it has sample averages too. Without its bonus from pull 1000 on ("bonus at first") it pays 1465 where arms drift, and only 82 where they do not. Thompson sampling, which paid least of the seven agents above, is worse than the constant rate here.
 # </details>
 
 # %% [markdown]
@@ -500,13 +494,13 @@ check(project_0b, my_program)
 # - Greedy finds the best of ten arms in 15 % of the runs: it stays with the first arm that pays.
 # - ε-greedy's regret goes on growing evenly, by 0.018 a pull. With a falling $\varepsilon$, UCB, Thompson sampling and the gradient bandit it grows ever more slowly.
 # - After 10 000 pulls ε-greedy has paid 240, a falling $\varepsilon$ 181, UCB 160, Thompson sampling 108. To try each arm 100 times first costs 180.
-# - Regret first rises with the gap and then falls: what is hardest to find out is not what costs most.
-# - Where arms drift about ten times in a run, ε-greedy pays less with a constant learning rate than with sample averages; where they do not, it pays more. Of the five agents tried there UCB pays least, and most if it loses its bonus.
+# - In 10 000 pulls regret first rises with the gap and then falls: what is hardest to find out is not what costs most.
+# - Where arms drift about ten times in a run, ε-greedy pays less with a constant learning rate than with sample averages; where they do not, it pays more. UCB pays least there; without its bonus, more than twice as much.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Only a pull shows how well an arm pays, and a pull of a worse arm costs. Nobody tells an agent when it may stop looking, so it must go on, but less and less. Greedy looks too little and stays with an arm that was lucky first, ε-greedy looks
 # and pays at the same rate for ever. UCB and Thompson sampling try an arm the less, the less likely it is the best one: UCB by a bonus that shrinks with the number of pulls (optimism in the face of uncertainty), Thompson sampling
-# by a draw from what it believes. No agent that is good on every bandit pays less, in the long run, than a logarithm of time (unless a single pull can give a worse arm away). If the arms change, old means mislead, unless the agent goes on testing.
+# by a draw from what it believes. No agent that is good on every bandit pays less, in the long run, than a logarithm of time (unless a single pull can give a worse arm away). If the arms change, old means mislead.
 #
 # ### Limits
 # There is one state, and an arm changes nothing of what comes. In the next lessons an action also leads somewhere, and what is to be explored may be a hundred steps away: lesson 1

@@ -6,7 +6,7 @@
 #
 # **You will be able to** say what bins of actions cost and what they buy; derive the policy gradient in three lines,
 # and the update of a Gaussian policy from it; check a gradient by finite differences; explain what a baseline does;
-# and name a task in which bins beat a Gaussian policy.
+# and name a task and a start from which bins beat a Gaussian policy.
 #
 # **Time.** {time} **Before you start.** You should know what a return, a policy
 # and a value function are (Sutton and Barto, 2nd edition, sections 3.3 and 3.5), and the TD error (section 6.1). You
@@ -103,7 +103,7 @@ finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Four bins, by a little. On the left every dot is a place where the box can be let go, and the ring is
-# the one nearest to the middle. (The box only just fits at the green lines.) By and large more bins mean more places; which of 4 and 5 gets nearest depends on where the container stands.
+# the one nearest to the middle. (The box only just fits at the green lines.) By and large more bins mean more places.
 # But five bins turn a joint by 0, 6 or 12 degrees, so its angles are 6 degrees apart. Four turn it by 4 or 12: 4
 # degrees apart (but neither joint can rest, so half of the pairs of angles never occur).
 #
@@ -218,23 +218,20 @@ source(methods.in_a_table)
 # 1$, and −2 (the wall) if not. This reward has jumps and a kink; the policy gradient needs no derivative of it.
 
 # %%
-source(release.scores)
-
-# %%
 source(release.estimates)
 
 # %% [markdown]
 # Let $J$ be the expected reward of this policy. Each of 100 000 actions gives an estimate of the slope of $J$ in $\mu$,
-# and one in $\ln \sigma$ (with $b = 1$). To check their means, we compute $J$ as a sum over a fine grid of actions, and
+# and one in $\ln \sigma$ (with $b = 0$). To check their means, we compute $J$ as a sum over a fine grid of actions, and
 # take *finite differences*: $(J(\mu + h) - J(\mu - h)) / 2h$ with a small $h$, and the same with $\ln \sigma$. (± is
 # the 95 % interval.)
 #
-# The figure has 1 000 actions and $b = 0$. The line in its left panel is the reward, the filled curve the density of
+# The figure has 1 000 actions. The line in its left panel is the reward, the filled curve the density of
 # the policy.
 
 # %%
 for mu, sigma in ((0.6, 0.5), (-0.8, 1.0), (0.1, 0.1)):
-    found = release.estimates(mu, sigma, 100_000, baseline=1.0)
+    found = release.estimates(mu, sigma, 100_000)
     for of, slope, each in zip(("μ", "ln σ"), release.slopes(mu, sigma), found, strict=True):
         error = 1.96 * each.std() / len(each) ** 0.5
         by_actions = f"from actions {each.mean():5.2f} ± {error:.2f}"
@@ -242,8 +239,7 @@ for mu, sigma in ((0.6, 0.5), (-0.8, 1.0), (0.1, 0.1)):
 display(figures.gradient_figure())
 
 # %% [markdown]
-# They agree. Move the sliders: when is the estimate good, and when is it wild? (Above all when $\sigma$ is small and
-# $b$ is far from $J$, as the next aside measures.)
+# They agree. Move the sliders: when is the estimate good, and when is it wild? (The next aside measures it.)
 
 
 # %%
@@ -288,7 +284,7 @@ noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ra
 
 # %% [markdown] tags=["aside"]
 # ### Aside: what a baseline does to learning
-# One hundred policies learn $\mu$ and $\sigma$ in 2 000 updates, with one action each
+# One hundred policies begin at $\mu = -0.8$, $\sigma = 1$, and learn both in 2 000 updates, with one action each
 # ($\alpha$ is the same for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards so far, the present one included; so the first update is 0, and the nth is smaller by 1/n). The code keeps
 # $\mu$ between −6 and 6, and $\sigma$ between 0.02 and 2.7. What if it keeps $\sigma$ at 0.2 or above? And what if the
 # steps are larger? (The figure has $\alpha = 0.01$.)
@@ -308,10 +304,8 @@ for alpha in (0.01, 0.03, 0.1):
 # $(a - \mu) / \sigma^2$ are about $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or
 # above, none leaves in 2 000 updates.
 #
-# (With a baseline nearly all leave at some time in 20 000 updates, but come back; with a baseline and $\sigma$ at 0.2 or above at most 5 of 100 leave.)
-#
 # With $\alpha = 0.03$ a baseline and a larger $\sigma$ both help. Without either 88 of 100 are outside in the end. A baseline alone leaves 8
-# outside, and so does a $\sigma$ of 0.2 or above alone (of 1 000 more runs 12 % and 5 %), but nearly all leave at some
+# outside, and so does a $\sigma$ of 0.2 or above alone, but nearly all leave at some
 # time. With both only 23 leave in this time.
 #
 # With $\alpha = 0.1$ most are outside in the end in all four rows. So a baseline allows larger steps, and not any step.
@@ -319,7 +313,7 @@ for alpha in (0.01, 0.03, 0.1):
 # %% [markdown]
 # ### The picture to remember
 # In the left panel of the next figure one policy learns, with a baseline. It starts wide, moves to the middle, and
-# becomes narrow. So a Gaussian policy turns from exploring into placing exactly.
+# becomes narrow. So a Gaussian policy turns from exploring into placing exactly. (That of the arm, below, keeps its $\sigma$.)
 
 
 # %%
@@ -380,7 +374,7 @@ source(TileCoding.see)
 source(GaussianActorCritic.learn)
 
 # %% [markdown]
-# ## The experiment: bins against real numbers
+# ## The experiment: three tables and a Gaussian
 #
 # | setting | value |
 # |---|---|
@@ -390,7 +384,8 @@ source(GaussianActorCritic.learn)
 # | evaluation | one greedy episode every 4 000 steps: the likeliest bin, or the mean $\mu$ |
 # | repetitions | 20; bands are 95 % intervals |
 #
-# The dotted lines are the best possible returns. (9 bins *can* do almost as well as real numbers.)
+# The dotted lines are the best possible returns. (9 bins *can* do almost as well as real numbers.) Methods and features
+# differ as well, so this compares four agents; the aside on PPO compares only the actions.
 #
 # The cell after the next is the experiment (later: `methods.learn_all`).
 #
@@ -428,10 +423,10 @@ first.measured(min(soon, key=soon.get))
 #
 # **Measured.** Three bins are first by far, and the more bins, the later. (A guess why: three bins for two joints make 9 actions,
 # nine make 81.) But three bins cannot get more than 4.31: twelve of the 20 runs
-# reach it, and eight stop at 4.07. Five and nine end higher on average.
+# reach it, and eight stop at 4.07. Five and nine end higher on average, above the continuous agent, too.
 #
-# The continuous agent needs about as many steps as 5 bins. (Without the baseline 5 bins need a third less, in 60 runs; exercise 3 shows
-# why.) 9 bins and the continuous agent fall back most. (The aside on PPO compares fairly.) </details>
+# The continuous agent needs about as many steps as 5 bins. (Without the baseline 5 bins need fewer; exercise 3 shows
+# why.) </details>
 
 # %% [markdown]
 # Watch both at work: three bins, and the continuous agent.
@@ -471,7 +466,7 @@ sliders(
 # <details><summary>What we found</summary>
 #
 # $\sigma = 0.1$ is too small: all four runs end at 0 or −1. With $\sigma = 0.2$ three of four end at 0. With $\sigma = 1$
-# three of four deliver the box (of 80 more runs 64 %, and 85 % with `actor_rate` 0.05, since a larger $\sigma$ makes the steps smaller), but the box is placed less exactly. With $\sigma = 1$ and `actor_rate` 0.002 together, all four stay at −1.
+# three of four deliver the box, but the box is placed less exactly. With $\sigma = 1$ and `actor_rate` 0.002 together, all four stay at −1.
 # </details>
 
 # %% [markdown]
@@ -562,8 +557,8 @@ slower.measured(more if difference.low > 0 else fewer if difference.high < 0 els
 # bins against more bins here, and for nothing else.
 #
 # With drawn actions 3 bins end highest on average, but no interval of these differences (which the cell does not print) excludes 0. One continuous run and one with 9 bins never learn to deliver (we
-# looked at the single runs), and they pull the means down. Drawing actions may cost exactness too; we did not test
-# this.
+# looked at the single runs), and they pull the means down. Drawing actions costs exactness, too: each of the seven continuous runs that
+# deliver with the mean ends higher with it than with drawn actions.
 #
 # In the right panel all runs with 3 bins end at 4.31, and the others spread widely. Three of the ten continuous policies end at 0 there: the arm holds the box
 # until time is up. One run with 5 bins and four with 9 fail there too, at −1. Nothing in this
@@ -668,7 +663,7 @@ sliders(two_containers, mu=(-2.0, 3.0, 0.25), sigma=(0.25, 2.5, 0.25), bins=(3, 
 # %% [markdown]
 # <details><summary>What we found</summary>
 #
-# From $\mu = -1$ even $\sigma = 2.5$ brings only 32 of 100 to the rich container ($\sigma$ shrinks on the way). From $\mu = 0$ and $\sigma = 2$, 98
+# From $\mu = -1$ even $\sigma = 2.5$ brings only 32 of 100 to the rich container. From $\mu = 0$ and $\sigma = 2$, 98
 # of 100 arrive.
 # </details>
 
@@ -878,7 +873,7 @@ display(figures.race({"mine": MyREINFORCE.create}))
 # last step backwards, you have another line, an earlier one: the arm comes to some cells several times in an episode, and then the
 # order matters.) Without a baseline the mean line is earlier here, and in 60 more runs it is, too.
 #
-# The baseline itself is not to blame, but the order is. Each visit to a cell moves $V$ by 40 % of the way to the return, so in the book's order a later visit to the same cell in the episode has a much smaller $\delta$. The test: $V$ moves only after all steps of the policy, and we shrink $\delta$ by hand, to 60 % for every other visit to the cell, before it or after it. Steps to 3.5 (mean of 120 runs):
+# The baseline itself is not to blame, but the order is. Each visit to a cell moves $V$ by 40 % of the way to the return, so in the book's order a later visit to the same cell in the episode has a much smaller $\delta$. The test: $V$ moves only after all steps of the policy, and we multiply $\delta$ by 0.6 for each earlier visit to the cell, or for each later one. Steps to 3.5 (mean of 120 runs):
 #
 # | | steps |
 # |---|---|
@@ -901,8 +896,8 @@ display(figures.race({"mine": MyREINFORCE.create}))
 # since hardly anybody delivers the box before they have learned to.
 #
 # Everything is allowed that learns from its own steps: other features, a $\sigma$ that shrinks, bins inside of the
-# agent, an agent of your own (with `act`, `greedy` and `learn` as in exercise 3, and `tabular = False`; its `learn` may
-# have `next_state` as well). Half a page with it: what did you change, why should it help, and what did you measure?
+# agent, an agent of your own (with `act`, `greedy` and `learn` as in exercise 3, and `tabular = False`; `learn` gets its arguments by their
+# names, and may have `next_state` as well). Half a page with it: what did you change, why should it help, and what did you measure?
 
 
 # %%
@@ -943,7 +938,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # In the check an arm lets go of three or six boxes, one after another, each over a container whose middle it does not know. A
-# box pays as in "Are these scores right?", so the best return is 12. No state comes twice in an episode. (In a second
+# box pays as in "Are these scores right?", so the best return is 4 for each box. No state comes twice in an episode. (In a second
 # task the farthest actions pay most, so $\sigma$ grows.) Your program draws its actions, so none of them is right or
 # wrong. But its own steps tell, by the equations, which $\mu$ it should return, and from which Gaussians it should have
 # drawn its actions. The check compares both. It sees no line of your program, so the mistake that it names is only the likely one.
@@ -1003,14 +998,14 @@ check(project_7, my_program)
 # choose a few: then the best of these few is the most that we can get, and with $m$ joints there are $n^m$ of them. Or
 # we learn a stochastic policy itself: draw an action from $\pi(a \mid s, \theta)$, and move $\theta$ along $(G - b)\,
 # \nabla \ln \pi$, towards actions that did better than expected. For a Gaussian this moves the mean towards good
-# actions, and makes the policy narrow when good ones are near. It can place exactly, but it has one peak and sees only
+# actions, and makes the policy narrow when good ones are near. It is not limited to a few actions, but it has one peak and sees only
 # what is near it.
 #
 # ### Limits
 # There are more ways out, which we did not try: search among drawn actions for the largest $Q$ (QT-Opt), give $Q$ a
 # form whose largest value is known (NAF), follow its slope with a deterministic policy (DDPG, TD3). Trashbot has two
 # joints; the growth of $n^m$ was computed and not felt. (Bins need not be crossed: PPO has a softmax for each joint,
-# $nm$ outputs instead of $n^m$.) The agents were tuned by trials of a few settings, so the fast experiment ranks these
+# $nm$ outputs instead of $n^m$.) The agents were tuned by trials of a few settings, so the main experiment ranks these
 # agents and not all. And the clock is not in the observation, and cells and tiles leave out the bend of the elbow: the task
 # is not quite Markov.
 #

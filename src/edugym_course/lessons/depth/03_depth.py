@@ -259,8 +259,8 @@ print(f"optimum      {study.reward_threshold:.2f}")
 # | repetitions | 60, each on its own layout, the same layouts for all methods; bands are 95 % intervals |
 #
 # The dashed line is the *optimum*, the dotted one the return of the best *ε-soft* policy, which takes a random action
-# with probability $\varepsilon$ on every day. Both are exact. Only an evaluation, which does not explore, can rise above
-# the dotted line; training, in the last panel, cannot.
+# with probability $\varepsilon$ on every day. Both are exact. An evaluation does not explore, and can rise above
+# the dotted line.
 #
 # The cell after the next is the whole experiment. (`methods.counted` counts how often an agent passes the exam while it
 # trains. Further down `methods.compare` does all this, with other settings.)
@@ -295,7 +295,6 @@ by_sigma = {
     for sigma in (0.0, 0.2, 1.0)
 }
 panels = [figures.curves(results, f"σ = {sigma:g}") for sigma, results in by_sigma.items()]
-panels.append(panels[-1]._replace(title="while exploring, σ = 1", column="training_return"))
 display(Sheet("depth", [panels[:2], panels[2:]]))
 early = experiments.early_difference(by_sigma[1.0], "Monte Carlo", "n = 1").estimate > 0
 late = experiments.final_difference(by_sigma[1.0], "Monte Carlo", "n = 1").estimate > 0
@@ -312,7 +311,7 @@ ahead.measured(f"{first} is ahead early and late" if early == late else f"{first
 # </details>
 
 # %% [markdown]
-# Early, depth helps at every $\sigma$, and the staircase says why. Late, some runs do not pass the exam, and return
+# Early, depth helps at every $\sigma$, and the staircase gives one reason. Late, some runs do not pass the exam, and return
 # about 10 less, which hides small differences in the mean. So which share of the runs passes in the end? And how much
 # better is one method *on the layouts on which both pass*? These returns are computed without noise.
 
@@ -449,7 +448,7 @@ noise.measured(100 * targets.noise_share(0.2))
 #
 # **Measured.** 4 %. At the default of the environment, $\sigma = 0.05$, it is 0.3 %. All the rest comes from *the
 # agent's own exploration*. With $\varepsilon = 0.1$ two of three episodes contain at least one random action
-# ($1 - 0.9^{10} = 0.65$), and some of these miss the exam, or a second lecture, which costs 10. That goes into the
+# ($1 - 0.9^{10} = 0.65$), and some of these miss the exam, which costs 10. That goes into the
 # target of the first day, although the first day is not to blame. Only at $\sigma = 1$ is half of the variance noise of
 # the rewards.
 # </details>
@@ -460,12 +459,12 @@ noise.measured(100 * targets.noise_share(0.2))
 # The exam is $A_9$, so only the last two targets contain it. A random action there costs 10: their bars are so high.
 #
 # With the learning rate of the experiment a Monte Carlo value of the first day scatters by ± 0.69 (computed in the
-# aside), while on a free day two actions of this layout differ by 0.1 on average. That is one reason why Monte Carlo passes the exam and wastes its free
+# aside), while on a free day two actions of this layout differ by 0.1 on average. That seems to be one reason why Monte Carlo passes the exam and wastes its free
 # days, even without noise of the rewards. It is not the only one: with $\varepsilon = 0$ and $\sigma = 0$ nothing scatters, and Monte Carlo wastes them too (see the aside).
 
 # %% [markdown] tags=["aside"]
 # ### Aside: is this scatter the reason?
-# Take it away, and let Monte Carlo learn a step only if all later actions were greedy: at $\sigma = 0$ the policies that pass then end 0.34 below the optimum, and not 0.64 (one-step SARSA: 0.28; 200 runs). So it is *a* reason.
+# Take it away, and let Monte Carlo learn a step only if all later actions were greedy: at $\sigma = 0$ the policies that pass then end 0.34 below the optimum, and not 0.64 (one-step SARSA: 0.28; 200 runs). So it seems to be *a* reason.
 #
 # But with $\varepsilon = 0$ and $\sigma = 0$ nothing scatters, and still Monte Carlo ends 0.73 below, $n = 5$ 0.63, $n = 3$ 0.45 and $n = 1$ 0.13. Our guess: one-step targets hand on
 # the 0 of what was never tried, so $n = 1$ tries other things on its free days, and deep targets do not.
@@ -564,7 +563,7 @@ gap = experiments.difference_where_both_pass(tuned, "Monte Carlo", "n = 1")
 print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 %: {gap.low:+.2f} to {gap.high:+.2f})")
 
 # %% [markdown]
-# With a small rate Monte Carlo keeps its early lead over $n = 1$, and it passes in all runs. But where both pass, $n = 1$ is still
+# It passes in all runs. But where both pass, $n = 1$ is still
 # better in the details. Does that contradict $\alpha / (2 - \alpha)$, by which a small rate averages the noise away? No: with a small rate the details take time. Here is Monte
 # Carlo without any noise of the rewards, after 4 000 episodes and after ten times as many: how far below the optimum
 # are the policies that pass? (We take the rate 0.01, since 0.003 takes longer still.)
@@ -580,7 +579,7 @@ for episodes in (4_000, 40_000):
 
 # %% [markdown]
 # With $\alpha = 0.1$ and ten times the training, more runs of Monte Carlo pass, but these are hardly closer to the
-# optimum, as the formula says: the values keep scattering. With $\alpha = 0.01$ the longer training pays: Monte Carlo comes much closer to the optimum. But with this rate $n = 1$ stays closer still, in fewer runs. (With the rate 0.1 longer training does not bring $n = 1$ closer, either: that the number rises may be chance, or the runs that only now pass.)
+# optimum. With $\alpha = 0.01$ the longer training pays: Monte Carlo comes much closer to the optimum. But with this rate $n = 1$ stays closer still, in fewer runs.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: all depths at once
@@ -661,7 +660,7 @@ sliders(
 
 # %% [markdown]
 # ### Why not look deep with Q-learning?
-# The variance comes from exploring actions. Q-learning learns about the greedy policy, which never explores. So why not
+# Where rewards are not very noisy, most of the variance comes from exploring actions. Q-learning learns about the greedy policy, which never explores. So why not
 # take $n$ rewards and then the largest value, $\max_a Q(S_{t+n}, a)$?
 #
 # For $n = 1$ that *is* Q-learning (equation 6.8). For $n > 1$ the rewards on the way were earned by the policy that
@@ -679,7 +678,7 @@ off_policy.off_policy_sheet()
 #   deviation that at $n = 10$ is even larger than the optimum itself (exercise 2). In the left panel its line lies on that
 #   of cutting, at 0.
 # - **Cutting** the target at the first exploring action, with the best value of that state at its end, keeps the mean
-#   right and adds no variance (exercise 3).
+#   right and adds no variance here, where the values are right (exercise 3).
 
 # %% [markdown]
 # ## Predict, then check
@@ -706,7 +705,7 @@ suffers.measured(max(loss, key=loss.get))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Monte Carlo loses most, and $n = 1$ least. As the paper says, actions without effect make deep methods
+# **Measured.** Monte Carlo and $n = 5$ lose most, and $n = 1$ least. As the paper says, actions without effect make deep methods
 # suffer, at this $\alpha$. But not by their variance: in four runs of five Monte Carlo *never passed the exam at all*. So for
 # Monte Carlo this is a problem of exploration, not of credit. (For $n = 3$ and $n = 5$ it is something of both. The first
 # aside below takes the runs apart.)
@@ -742,14 +741,13 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 # (For $n = 1$ that is not the whole story: in other draws many such runs had passed it often.)
 #
 # Why does one-step SARSA meet the exam in more runs? All values start at 0, and every action has a price, so what was
-# not tried looks better. One-step SARSA hands the 0 of an untried action back, too, so states from which untried actions are left look good, and it goes there (optimistic values, Sutton and
-# Barto, section 2.6). Monte Carlo learns only from returns that it got, and those were all bad. (The next aside tests this.)
+# not tried looks better. Our guess: one-step SARSA hands the 0 of an untried action back, too, so states from which untried actions are left look good, and it goes there (optimistic values, Sutton and
+# Barto, section 2.6). Monte Carlo learns only from returns that it got, and those were all bad. (The next aside tests a part of this.)
 # </details>
 
 # %% [markdown] tags=["aside"]
-# ### Aside: the explanation, put to a test
-# All values start at 0, and every action has a price, so what was not tried looks better. Is that why one-step SARSA meets
-# the exam in more runs? Then it depends on untried actions that look good. So we take that away. In
+# ### Aside: a test of this guess
+# If it is right, it takes untried actions that look good. So we take that away. In
 # the task with five actions, where all methods passed often, we let all values start at −5: now untried actions look
 # *bad*.
 #
@@ -869,7 +867,7 @@ display(figures.race({"quiet": quiet}, repetitions=30))
 # %% [markdown]
 # At this learning rate it passes in about 70 % of the runs, and with $\varepsilon = 0.1$ in about 90 % (200 runs). It tries a few things at first, since all it has tried was worse than
 # 0. But it stops at the first plan that looks best, and on many layouts it never passes. Where it passes, it is no closer to the optimum. With $\alpha = 0.01$ it passes in some 97 %: each bad return then lowers
-# a value only a little, so it takes one action after another. So an agent should explore, and yet not learn from its exploring actions as if they were
+# a value only a little, so it takes one action after another. Better: explore, and do not learn from exploring actions as if they were
 # its policy.
 #
 # ### Exercise 2: the importance-sampling ratio
@@ -932,7 +930,7 @@ check(exercise_2, importance_ratio, seed=1, quiet=True)
 # An action is greedy if no other has a *higher* value. Where several tie, all of them are, and not only the first, which
 # `argmax` finds.
 #
-# Without the third line this is Monte Carlo. With it, $G$ passes through actions that are greedy *after* their update, and is cut at the others: at exploring ones, and at greedy ones that just disappointed. You
+# Without the third line this is Monte Carlo. With it, $G$ passes through actions that are greedy *after* their update, and is cut at the others. You
 # write plain Python, and it runs as machine code. Predict: can this line beat all four depths at this $\alpha$?
 #
 # <details><summary>Hint</summary><code>for k in range(length - 1, -1, -1)</code> goes backwards. The largest value in a
@@ -1006,10 +1004,10 @@ for panel in race.rows[0]:
 
 # %% [markdown]
 # With five actions it is early about as fast as Monte Carlo, probably since its rewards, too, pass through many actions
-# at once. In the end its mean is above all others, in both panels. With five actions it is *precise*: where it passes, it ends 0.1 to 0.2 below the optimum, and the others 0.3 to 0.8. A guess: exploring actions do not blur its
+# at once. In the end its mean is above all others, in both panels. With five actions it is *precise*: where it passes, it ends 0.1 to 0.2 below the optimum, and the others 0.3 to 0.8 at this $\alpha$. A guess: exploring actions do not blur its
 # targets. With ten actions it also *passes* in far more runs than the deep methods, and at this noise in no fewer than $n = 1$.
 # This comes from the cuts at greedy actions that just disappointed: if you ask whether the action was the best one *when it was taken*, only exploring actions are cut,
-# and it passes in 15 to 20 % of the runs, not in 70 % (three draws of 60). A guess: at the other cuts it hands back what untried actions are worth, as one-step targets do.
+# and it passes in 15 to 20 % of the runs, not in 70 to 80 % (draws of 60). A guess: at the other cuts it hands back what untried actions are worth, as one-step targets do.
 #
 # The idea is old. Watkins cut the targets of his Q(λ) at exploring actions in 1989. The **tree backup** algorithm
 # (Sutton and Barto, section 7.5) does nearly the same for any policy; in the package it is `TreeBackup`.
@@ -1021,9 +1019,9 @@ for panel in race.rows[0]:
 # *maximisation bias* (Sutton and Barto, section 6.7). At $\sigma = 2$ it is no more precise than $n = 1$.
 #
 # ### The open challenge: 1 000 episodes with eight actions
-# Eight actions, five of them useless, and 10 000 steps in all. In this challenge actions are free ($r_a = 0$; rewards are noisy as before), so the
+# Eight actions, five of them useless, and 10 000 steps in all. In this challenge actions are free ($r_a = 0$ but for noise, $\sigma = 0.2$), so the
 # optimum is 10 on every layout. Write an agent of your own. It is tried on ten layouts that belong to your name, and
-# nobody else has the same ones. It is told only its observation space and its action space. Its points are its average
+# nobody else has the same ones. It is told only its observation space and its action space. It needs `act(state, rng)` and `learn`, which asks by name for what it needs, as in exercise 3. Its points are its average
 # return (of evaluation episodes) over training, in percent of 10. For 100 points an agent would have to know the task before it starts; more
 # than the best of the three baselines is good, and 80 is very good.
 #

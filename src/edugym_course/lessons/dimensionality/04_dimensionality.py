@@ -79,8 +79,7 @@ print(observation.astype(int))
 # "vectorised" is the state itself: the *positions*. "grid" is the *board* above, with a 1 at the ball and at the
 # paddle; each of its 50 numbers is a *pixel*. "rgb" is an *image*: red, green and blue for each of the 50 cells.
 #
-# **Play it yourself, blind.** You see "grid" as ten lines of five numbers. What do the ones
-# mean? An agent starts with less: it does not even know that two pixels are neighbours.
+# **Play it yourself, blind.** You see "grid" as ten lines of five numbers. An agent starts with less: it does not even know that two pixels are neighbours.
 
 # %%
 play("Catch", blind=True)
@@ -101,9 +100,7 @@ source(QLearning.learn)
 
 # %% [markdown]
 # A *dense* table has a row for every observation that could be written down. With 50 pixels that are 0 or 1 there are
-# $2^{50}$ of them; with 150 numbers from 0 to 255 there are $256^{150}$. A *network*, which we will come to, has a
-# number of weights that grows with the number of pixels, not with the number of boards. (The network of this lesson has
-# 64 hidden units and 3 459 weights.)
+# $2^{50}$ of them; with 150 numbers from 0 to 255 there are $256^{150}$.
 
 # %%
 positions, grid, image = (sizes.rows_of_table(kind) for kind in ("vectorised", "grid", "rgb"))
@@ -114,7 +111,7 @@ figures.size_sheet()
 
 # %% [markdown]
 # The y axis is the *power of ten*, and it is logarithmic: at $10^2$ a number has a hundred
-# digits. The line of the network counts weights, all others rows. Only 195 boards can be seen while the ball falls, one
+# digits. The line of the network, which we will come to, counts weights, all others rows. Only 195 boards can be seen while the ball falls, one
 # for each state that can occur (less than $5 \cdot 9 \cdot 5$, since the paddle starts in the middle). So a table could
 # hold rows for those boards alone. A *hashed* table does: it gives a row to each board when it is seen for the first
 # time.
@@ -171,16 +168,13 @@ source(dqn.forward)
 # DQN (section 16.5) learns $\theta$ by the same idea, with three additions:
 #
 # - **A memory.** The latest 10 000 transitions $(S, A, R, S')$ are kept, each with a note whether $S'$ is terminal.
-#   Every four steps a *batch* of 32 of them is drawn at random. So each is learned from about eight times on average, and those in a
-#   batch have little to do with each other.
+#   Every four steps a *batch* of 32 of them is drawn at random. Those in a batch have little to do with each other.
 # - **A target that is held still.** The targets are computed with an older copy $\theta^-$ of the weights, brought up
 #   to date every 100 updates. (An aside shows why.)
 # - **A loss that does not explode.** The loss $L(\delta)$ is $\frac{1}{2} \delta^2$ for errors
 #   $\delta = Q(S, A; \theta) - y$ up to 1 in size, and grows only linearly beyond. (This error is the value less the target, since we go *down* the slope of the loss.)
 #
-# (Catch needs none of the three.)
-#
-# Learning starts after 200 steps. Adam chooses the step for each weight.
+# Learning starts after 200 steps. Adam chooses the size of the step for each weight (see below).
 #
 # $$
 # y = R + \gamma \max_a Q(S', a; \theta^-), \qquad
@@ -209,7 +203,7 @@ source(dqn.copy)
 # %% [markdown]
 # ### Watch it
 # This is one run of DQN after 12 000 steps, greedy; it has never seen anything but 50 pixels. It misses the balls from one
-# of the five columns (4 of 40 others missed one). From which? Change `seed` in the last line: with 3, 2, 1, 0, 4 the ball falls from column 0, 1,
+# of the five columns. From which? Change `seed` in the last line: with 3, 2, 1, 0, 4 the ball falls from column 0, 1,
 # 2, 3, 4.
 
 # %%
@@ -240,7 +234,7 @@ frames("Catch", choose, seed=2)
 # First without noise. One table has a row for each of the 250 positions. The other is a hashed table of boards.
 #
 # The cell after the next is the whole experiment, once for positions and once for boards. Both have the same seeds, so
-# run 7 of one table sees the same balls as run 7 of the other. (`methods.learn`, further down, does the same.)
+# run 7 of one table sees the same balls as run 7 of the other.
 #
 # **Predict.** How fast does the table of boards learn, compared with the table of positions?
 
@@ -279,8 +273,7 @@ slower.measured(slower.options[2 if (curves[0] == curves[1]).all() else 1])
 # pixels get normal noise ($\sigma = 0.1$), cut off at 0 and 1. Or the whole board is darkened at every step by a random
 # factor between 0.4 and 1.
 #
-# **Predict.** In how many of the three does the table come to a return above 0.5 within 30 000 steps? (The cell takes
-# about 15 seconds.)
+# **Predict.** In how many of the three does the table come to a return above 0.5 within 30 000 steps?
 
 # %%
 sees = predict("The table gets above 0.5 in ...", ["none of the three", "one", "two", "all three"])
@@ -329,7 +322,7 @@ sliders(one_table, **ranges, epsilon=(0.0, 1.0, 0.05), alpha=(0.05, 1.0, 0.05), 
 
 # %% [markdown] tags=["aside"]
 # ### Aside: turn the knobs of the network
-# Which numbers of hidden units learn as fast as 64? What does a learning rate that is ten times larger
+# How much slower are fewer hidden units? What does a learning rate that is ten times larger
 # do? How much noise does the network bear? (3 runs of 5 000 steps as thin lines, and their mean.)
 
 
@@ -345,7 +338,7 @@ sliders(one_network, hidden=[2, 4, 16, 64], sigma=(0.0, 0.3, 0.05), **rates)
 # %% [markdown]
 # <details><summary>What came out, as the mean of ten runs at 5 000 steps (to about 0.2)</summary>
 #
-# At this learning rate no smaller number: 2, 4 and 16 hidden units came to -0.30, -0.35 and 0.27, and 64 to 0.75. The learning rate
+# 2, 4 and 16 hidden units came to -0.30, -0.35 and 0.27, and 64 to 0.75. The learning rate
 # 0.01 was *faster* here: with it 16 units came to 0.39 by step 2 500 and 0.85 by step 5 000, and 64 to 0.79 and 0.96. With $\sigma$ = 0.1, 0.2 and 0.3 the return was 0.45, -0.15 and -0.46. But 5 000 steps
 # are few: with $\sigma = 0.1$ it came to 0.99 in the 30 000 steps above. </details>
 
@@ -374,8 +367,16 @@ tiny.remember([1.0, 0.0], 0, 1.0, [0.0, 0.0], True)  # in state (1, 0), action 0
 # its size is below 1: the derivative of the loss with respect to $Q(s, 0)$ is $-0.5$. With respect to $Q(s, 1)$ it is
 # 0, since the loss does not contain it.
 #
-# (The next cell compares the agent's gradient with `by_hand`, which the aside below works out. Then Adam takes a step
-# with it, in the first layer and then in the second one.)
+# **Backward** the chain rule goes from the values to the weights (`by_hand` in the code below):
+#
+# - The weight from $h_1$ to $Q(s, 0)$ is multiplied by $h_1 = 0.5$: its derivative is $0.5 \cdot (-0.5) = -0.25$. The
+#   bias has $-0.5$. The weight from $h_2$ has 0, since $h_2 = 0$.
+# - $h_1$ itself has the derivative $0.8 \cdot (-0.5) = -0.4$. $h_2$ was cut off at 0, where a small change of its sum
+#   changes nothing, so it has 0.
+# - The weight from $x_1$ to $h_1$ has $1 \cdot (-0.4) = -0.4$, and so has the bias of $h_1$. The weights from $x_2 = 0$
+#   have 0.
+#
+# Below, Adam takes a step with this gradient, in both layers.
 #
 # **Predict.** $x_2 = 0$ in this state. How far does this step move the weight from $x_2$ to $h_1$?
 
@@ -409,16 +410,7 @@ moved.measured("stays" if tiny.weights.first[1, 0] == before[1, 0] else "moves l
 # </details>
 
 # %% [markdown] tags=["aside"]
-# ### Aside: the way backward, and Adam
-# **Backward** the chain rule goes from the values to the weights (this is `by_hand` in the cell above):
-#
-# - The weight from $h_1$ to $Q(s, 0)$ is multiplied by $h_1 = 0.5$: its derivative is $0.5 \cdot (-0.5) = -0.25$. The
-#   bias has $-0.5$. The weight from $h_2$ has 0, since $h_2 = 0$.
-# - $h_1$ itself has the derivative $0.8 \cdot (-0.5) = -0.4$. $h_2$ was cut off at 0, where a small change of its sum
-#   changes nothing, so it has 0.
-# - The weight from $x_1$ to $h_1$ has $1 \cdot (-0.4) = -0.4$, and so has the bias of $h_1$. The weights from $x_2 = 0$
-#   have 0.
-#
+# ### Aside: the way backward, and Adam, in code
 # These are the lines that went backward, and those of Adam. The rate in `adam` is the learning rate with a correction
 # for averages that start at 0 (in step 1 it is 0.0032, and the quotient is 3.16). The draw from memory comes in
 # exercise 3.
@@ -454,8 +446,7 @@ source(dqn.adam)
 # (A tile is at most two columns wide, and at most three rows of the board high. SARSA takes the value of the next action
 # in place of the maximum. Each agent has ten runs, and 20 test balls from each column.)
 #
-# **Predict.** How many of the six catch, on average over their runs, at least 9 of 10 balls from the columns that they never saw? (This takes about
-# 20 seconds.)
+# **Predict.** How many of the six catch, on average over their runs, at least 9 of 10 balls from the columns that they never saw?
 
 # %%
 unseen = predict("Balls from withheld columns are caught by ...", unit="of the six agents")
@@ -477,14 +468,17 @@ unseen.measured(len(generalises))
 #
 # **Measured.** One: the agent that sees ball minus paddle. On pixels a network does no better on new columns than a
 # table. (Linear in the pixels does not even learn the training columns, but for one run of ten: see the aside.)
+#
+# Tile coding does worst. It shares between neighbouring columns, and so it mostly goes where it would go for a ball
+# next to this one: sharing can be wrong as well. (This depends on SARSA, too: Q-learning with the same tiles caught
+# column 1 in 22 of 60 runs, and column 3 in 8.)
 # </details>
 #
 # ### The picture that explains it
 # Each cell is a state, with the ball in row 5 of the board. The arrow is what the agent does there; • is stay. A cell
 # is green if the agent then catches the ball, and red if not (low down, nobody may get there in time; the table's green is luck). The frames are for balls from the withheld columns.
 #
-# Runs differ much, so move `run` as well. Of these ten, DQN on pixels catches balls from both withheld columns in one run, and
-# from one of them in two; DQN on the positions from both in five, and from one in three.
+# Runs differ much, so move `run` as well.
 
 
 # %%
@@ -508,14 +502,13 @@ for row in touched:
 
 # %% [markdown]
 # In columns 1 and 3 there was never a ball, so these pixels were always 0, except at the bottom, where the paddle is,
-# and a weight from an input that is always 0 never moves. A ball there is multiplied by the first, random weights. This is a sign of
+# and a weight from an input that is always 0 never moves. A ball there is multiplied by weights as they were drawn at first. This is a sign of
 # what is missing and not the reason: noise in training ($\sigma = 0.1$) moves every weight, and still most of 30 runs missed every withheld ball.
 #
-# **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A
+# **An agent carries over to new states only what its weights share between states.** A table shares nothing. A
 # network on pixels shares much between boards in which the same pixels are lit, as with noise. But a ball in column 1
 # and a ball in column 2 light different pixels, so no weight that reads the ball from the pixels is shared. Ball minus paddle shares
-# all that matters, and there a person has done the work. (A person also chose the form of the CNN in
-# an aside, which catches nearly all withheld balls.)
+# all that matters, and there a person has done the work.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: where the paddle goes instead
@@ -533,10 +526,9 @@ for column in tasks.WITHHELD:
         print(f"    {label:29}", *methods.paddle_ends(results, column))
 
 # %% [markdown]
-# Tile coding shares between neighbouring columns, and so it mostly goes where it would go for a ball next to this one. Sharing
-# can be wrong as well. (This depends on SARSA, too: Q-learning with the same tiles caught column 1 in 22 of 60 runs, and column 3 in 8.) On the positions, where 1 lies between 0 and 2, DQN seems to interpolate, at least for column 1: it is right in 8 of 10
-# runs for column 1, and in 5 for column 3. On pixels it ends anywhere. The weights that never moved sent it there. With
-# 0 in their place the network does not see the ball at all, and the paddle mostly ends in the middle.
+# Tile coding mostly goes where it would go for a ball next to this one. On the positions, where 1 lies between 0 and 2, DQN seems to interpolate, at least for column 1: it is right in 8 of 10
+# runs for column 1, and in 5 for column 3. On pixels it ends anywhere. With
+# 0 for the weights that never moved the network does not see the ball at all, and the paddle ends in the middle.
 #
 # Why did the agent that is linear in the pixels learn so little? With $\alpha = 0.02$ or 0.01 a third of its runs or more
 # learn the training columns. Its sum has no term for ball and paddle together, so it cannot represent the true values.
@@ -714,9 +706,7 @@ factor.measured(costs[9][methods.TABLE] / costs[3][methods.TABLE])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 80 times as many in these three runs; in other sets of ten runs and more it was 65 to 100 times. So the steps
-# grow faster than the boards (the episodes, which are longer too, only 24 times). The reward has a longer way back, through more rows, but that is the smaller part of it: with 3 columns
-# the median was some 30 episodes, whether the board had 6 rows, 12 or 18. With 9 columns they took some 500 with 6 rows,
-# and 800 with 18. DQN needs more steps than the table on all four boards, but the ratio falls with the size of the board. (These numbers vary much from run to run. With 9 columns one run of DQN in six does not get there in 40 000 steps. The
+# grow faster than the boards (the episodes, which are longer too, only 24 times). DQN needs more steps than the table on all four boards, but the ratio falls with the size of the board. (These numbers vary much from run to run. With 9 columns one run of DQN in six does not get there in 40 000 steps. The
 # agents are tested 40 times in training. What counts is the first time that all 30 test balls are caught, and of the
 # runs the median.) </details>
 
@@ -808,7 +798,7 @@ check(exercise_1, table_entries, seed=1, quiet=True)
 # Your agent is then trained with balls from columns 0, 2 and 4, and tested as in "Balls from columns that were never
 # seen". It trains for 6 000 steps, the table beside it for 40 000, as there. Afterwards change the features, for
 # instance to the column of the ball alone (still nine numbers), and see what it still knows. It may still catch the balls that it has seen. (The check makes up features of its own, in
-# which several are not 0, so use `self.features`. `tabular = False` says that a board is no number of a row.)
+# which several are not 0, so use `self.features`.)
 #
 # <details><summary>Hint</summary>The value is <code>np.sum(x * self.w[:, action])</code>. In <code>learn</code>, first
 # compute the features of <code>state</code>, then the target, then change the weights of the action that was taken. A
@@ -945,7 +935,7 @@ display(races.race_networks({"my DQN": methods.network(MyDQN)}))
 # `DQN.create(task, discount=0.9, learn_from=200, copy_every=100)`, gets some 22 points on average; with 16 names it got 12 to 29.)
 #
 # Half a page with it: what does your agent share between boards? Does the shuffling make it harder for a table, for
-# DQN, for a CNN, and why? What did you know about the task that the agent did not have to learn?
+# DQN, and why? What did you know about the task that the agent did not have to learn?
 
 
 # %%
@@ -974,7 +964,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # episode after episode, and learns the values of actions. In the end it returns its *policy*, a function from an image
 # to the best action. All else is up to you: a memory or none, Q-learning or SARSA, any optimiser.
 #
-# - An image is an array of `environment.observation_space.shape`, of numbers from 0 to 1; flatten it first, and store a copy. An episode may be truncated. The actions are the whole
+# - An image is an array of `environment.observation_space.shape`, of numbers from 0 to 1; flatten it first, and store a copy. An episode may be truncated: then $S'$ is not terminal. The actions are the whole
 #   numbers from 0 to `environment.action_space.n - 1`.
 # - Take $\gamma = 0.9$, $\varepsilon = 0.1$ and 64 hidden units. The first weights should be random, of a size
 #   near $1/\sqrt n$ for a layer with $n$ inputs; biases may begin at 0.
@@ -989,7 +979,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # 2. Catch, with 10 000 steps, on a board of 5 by 5 pixels that is darkened by a new factor at every step. The policy of
 #    the middle one of the three runs has to catch 70 % of the balls.
 # 3. Five harder riddles. In one of them two pixels together tell the right action (this one has 4 000 steps). In
-#    another one all later values are negative; in one only a single action pays in the image that comes next; and in two a black image
+#    another one all later values are negative; and in two a black image
 #    counts.
 #
 # The check sees what your program does, and no line of it. So the mistake that it names is only the likely one. It
@@ -1099,8 +1089,8 @@ check(project_4, my_program)
 # *Learn it by heart, or better, say it in your own words.* A table learns each observation alone, and knows nothing of
 # those that it has not met. Function approximation gives states weights in common, so that what is learned in one
 # changes the others. That is its use and its danger. It carries over to new states what the weights share. A
-# network with pixels as inputs shares much between images in which the same pixels are lit. But where some
-# weight belongs to one column alone, it learns nothing from the balls in another.
+# network with pixels as inputs shares much between images in which the same pixels are lit. But a
+# weight that reads one column alone learns nothing from the balls in another.
 #
 # ### Limits
 # Catch is a very small task, which nobody needs a network for. Few runs were made of the networks, and their settings

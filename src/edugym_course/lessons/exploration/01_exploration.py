@@ -112,7 +112,7 @@ source(greedy_action)
 
 # %% [markdown]
 # (`replaces(ties, rng)` is true with probability 1/ties: so equal actions are taken equally often. `tied` comes up
-# in exercise 2.)
+# in an aside after exercise 2.)
 #
 # Before the first reward all values in $Q$ are zero, all actions are tied, and the climber acts at random. This is one
 # episode on a wall of height 12, after 600 steps of training.
@@ -129,7 +129,7 @@ def watch(method, height=12, after=600):
 watch("ε-greedy")
 
 # %% [markdown]
-# How long does that take? It needs $H$ right choices in a row, each with probability $1/N$. Let $m_h$ be the mean
+# How long until it reaches the top? It needs $H$ right choices in a row, each with probability $1/N$. Let $m_h$ be the mean
 # number of steps from the ground to height $h$, with $m_0 = 0$. To get to height $h + 1$, the climber first gets to $h$
 # and then takes one more step. With probability $1 - 1/N$ that step is wrong, and everything starts again:
 #
@@ -194,7 +194,7 @@ source(GoExplore, "act", "least_visited")
 # A) \right]
 # $$
 #
-# After each attempt it learns about *every* state on its path as if that state had been the goal. This is called
+# After each attempt it learns about *every* state on its path as if that state had been the goal, from the last step back. This is called
 # *hindsight*: an attempt that misses its goal still teaches the way to where it went.
 #
 # And the reward of the task? It does not guide the exploration. The agent only remembers the state in which it received
@@ -304,13 +304,13 @@ sliders(
 #
 # **Measured.** With ten runs each:
 #
-# - **height.** The novelty reward solves 20 in all runs, and 40 in a quarter of more than these ten. At 60 and 80 it gets to 40 and 37.
+# - **height.** The novelty reward solves 20 in all runs, and 40 in about a quarter of many runs. At 60 and 80 its frontier ends near 40.
 # - **n_grips.** At height 60 the novelty agent gets to 27 with three and to 19 with five. Go-Explore
 #   still solves it with three, and with five in nearly all of 100 runs.
 # - **ε.** Only the novelty agent feels it much: on height 20 it solves the wall in most runs with 0.05 to 0.5, and in
 #   few or none with 0 and from 0.65 on.
 # - **β.** Only the novelty agent has it. At height 20 it fails with 0, where it is ε-greedy, and in most runs with 5.
-# - **γ.** At height 20 it solves the wall in all runs with 0.8 to 0.95, and in none with 0.99: it climbs too slowly. We do not know why.
+# - **γ.** At height 20 it solves the wall in all runs with 0.8 to 0.95, and in none with 0.99: it climbs too slowly (another failure than at height 10, below). We do not know why.
 # </details>
 
 # %% [markdown]
@@ -323,8 +323,8 @@ sliders(
 in_pairs("visits", figures.visit_maps(walls[100], 100))
 
 # %% [markdown]
-# - **ε-greedy** gets to about 14, and only by luck. It has nothing to learn from.
-# - **Novelty** climbs fast at first, and then ever more slowly: after 20 000 steps its frontier is near 40.
+# - **ε-greedy** gets to about 14 on average, and only by luck. It has nothing to learn from.
+# - **Novelty** climbs fast at first, and then ever more slowly: after 20 000 steps its frontier is near 40 on average.
 # - **Go-Explore** moves its frontier up steadily, to the top.
 #
 # ### Why does novelty slow down? The way back
@@ -394,7 +394,7 @@ for method in causes.methods:
 # %% [markdown]
 # So high on the wall novelty slows down for two reasons, the way back and the grip, and they multiply. At a frontier of
 # 40, one climb in eight of an agent that knows the way gets back, and one visit in twenty takes the right grip: that
-# makes about 150 climbs after each wrong first try.
+# makes about 160 climbs after each wrong first try.
 # And the two pull in opposite directions: slips end the climbs, and slips are what it needs at the frontier. (Exercise
 # 3 mends both.)
 
@@ -441,7 +441,7 @@ two_branches.measured(seen)
 # all runs return to both frontiers. So the agent does leave a frontier that it should push on, but lasting detachment
 # does *not* appear here. We think that there are two reasons: the bonus $\beta/\sqrt{n}$ fades but never ends, and a table
 # does not forget the way, as a neural network can. What two branches do cost is time: the higher of the two frontiers gets
-# to 27 on average (to 29 in 300 runs), and the one frontier of a single wall to 37.
+# to 27 on average (to 29 in 300 runs), and the one frontier of a single wall to nearly 40.
 # </details>
 
 # %% [markdown]
@@ -463,8 +463,7 @@ def highest_visited(epsilon, height=100):
     return np.mean([climbs.frontier(visits) for visits in visits_of(results, "novelty")])
 
 
-for epsilon in (0.1, 0.02):
-    print(f"ε = {epsilon}: highest position {highest_visited(epsilon):.1f}")
+print(f"ε = 0.1: highest position {highest_visited(0.1):.1f}")
 no_slips.measured(highest_visited(0.0))
 
 # %% [markdown]
@@ -472,8 +471,7 @@ no_slips.measured(highest_visited(0.0))
 #
 # **Measured.** With $\varepsilon = 0$ it hardly leaves the ground: its highest position is about 1. After the first
 # wrong grip the untried one looks worse for ever, and there is no slip that would try it. The novelty reward pulls the
-# agent back to its frontier, and a random step takes it beyond. With values that start at 10 it needs no random step: then
-# its frontier gets to the top of all these walls even with $\varepsilon = 0$ (its policy, on the high one, hardly ever does). Exercise 2 shows how far that idea carries.
+# agent back to its frontier, and a random step takes it beyond.
 # </details>
 
 # %% [markdown]
@@ -499,29 +497,7 @@ far_sighted.measured("more often" if difference > 0.1 else "less often" if diffe
 # **Measured.** All runs with 0.9, and none with 0.99. At the top the episode ends, and the bonuses end with it. With the higher discount, the many small bonuses of the
 # future add up to more than the reward of 1, so the agent is paid for staying away from the top. The test of this is the
 # last line: with bonuses of a tenth the reward is worth more again, and all runs reach the top. A bonus changes the
-# *task*, not only the exploration. (Bonuses fade: after 120 000 steps all reach the top, after 80 000 none.)
-# </details>
-
-# %% [markdown]
-# **Predict.** Does a random climber need more steps on a wall with *three* grips and height 5, or on a wall with two
-# grips and height 8?
-
-# %%
-longer = predict("Which takes a random climber longer?", ["three grips, height 5", "two grips, height 8"])
-longer
-
-# %%
-measured = {}
-for name, n_grips, height in (("three grips, height 5", 3, 5), ("two grips, height 8", 2, 8)):
-    steps = climbs.random_search_steps(n_grips, height)
-    measured[name] = climbs.watch_random_search(n_grips, height, climbs=200, repetitions=10).estimate
-    print(f"{name}: {steps} steps by the formula, {measured[name]:.0f} measured")
-longer.measured(max(measured, key=measured.get))
-
-# %% [markdown]
-# <details><summary>What was measured</summary>
-#
-# **Measured.** Two grips and height 8 take longer: 510 steps, not 363. The steps grow exponentially with the height, and the number of grips is the base.
+# *task*, not only the exploration.
 # </details>
 
 # %% [markdown]
@@ -584,6 +560,12 @@ check(exercise_2, optimist, seed=1, quiet=True)
 display(figures.race({"optimist": optimist}))
 
 # %% [markdown]
+# <details><summary>What the race shows</summary>
+#
+# It solves the low wall and the middle one. On the high wall every run gets to the top, after some 17 000 steps, but few
+# policies do: with $\alpha = 0.5$ each disappointment takes only half of the optimism away.
+# </details>
+#
 # **How far does optimism carry?** With the learning rate $\alpha = 1$ the agent believes every step at once. Let it race
 # Go-Explore (as before, with $\alpha = 0.5$) on the high wall, with two grips and with three.
 #
@@ -612,14 +594,11 @@ three_grips.measured(max(("optimism", "Go-Explore"), key=lambda method: results.
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It is optimism. With $\alpha = 1$ it solves both walls, it first gets to the top sooner than Go-Explore, and
-# it is ahead in the evaluations, with two grips hardly, with three clearly. (With $\alpha = 0.5$, in your race above, each
-# disappointment takes only half of the optimism away: every run gets to the top, after some 17 000 steps, but few policies do.) But this is Go-Explore
-# with 20 random steps. With 10 it is as good as optimism. Random steps cost so much because they
-# repeat grips that failed: when it took untried grips first, it was far ahead (with three grips 54 %).
+# it is ahead in the evaluations, with two grips hardly, with three clearly.
 # </details>
-#
-# <details><summary>A trap: values that are equal but for rounding</summary>
-#
+
+# %% [markdown] tags=["aside"]
+# ### Aside: a trap: values that are equal but for rounding
 # The first version of this lesson said the opposite, and it was wrong. With $\alpha = 1$ all values are powers of
 # $\gamma$, and many of them are equal. But a computer rounds: $Q + 1 \cdot (T - Q)$ is not always $T$ in the last digit. A
 # greedy policy that compares with `==` then finds no tie where there is one, and takes the same one of
@@ -631,7 +610,6 @@ three_grips.measured(max(("optimism", "Go-Explore"), key=lambda method: results.
 # Three rules follow. Do not ask whether two computed numbers are *equal*, but whether they are close. Do not break ties by
 # `argmax`, which takes the first. And before you explain a result, change what should not matter (here $\gamma$), and see
 # whether it stays.
-# </details>
 
 # %%
 source(tied)
@@ -717,10 +695,9 @@ display(figures.race({"my explorer": MyExplorer.create}))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** In the end it solves the high wall in every run shown (in 97 to 100 of 100 in others): systematic trying takes the place of random steps. It needs
-# more steps than Go-Explore: it first reaches the top after 12 900 steps, and Go-Explore after 9 400 (60 other runs). The learning rate is the reason, for one
-# try of the right grip moves its value only half of the way (low on the wall this holds up the novelty agent, too): with $\alpha = 1$ it is there after 8 000. (But then fewer runs end with a policy that solves the wall.) On the middle wall its line trembles after 12 000 steps, since the bonus is still paid and still
-# moves the values of the grips: with bonuses of 0.3 it does not. On the low wall it is slower than the novelty agent.
+# **Measured.** In the end it solves the high wall in every run shown: systematic trying takes the place of random steps. It needs
+# more steps than Go-Explore: it first reaches the top after 12 900 steps on average, and Go-Explore after 9 400. With $\alpha = 1$ it gets there after 8 000, but then fewer runs end with a policy that solves the wall. On the middle wall its line trembles after 12 000 steps, since the bonus is still paid and still
+# moves the values of the grips: with bonuses of 0.3 it does not.
 # </details>
 
 # %% [markdown]
@@ -731,8 +708,8 @@ display(figures.race({"my explorer": MyExplorer.create}))
 #
 # Compare *four* methods there: the three in `METHODS`, under their names, and a fourth of your own choice
 # (another agent, or one of the three with other settings). Call `repeat` with 20 000 steps and 5 repetitions (some 20 seconds), and
-# assign the results to `frozen`. Can you find a fourth *without goals* that solves the lake in all five runs, as
-# Go-Explore does?
+# assign the results to `frozen`. Can you find a fourth *without goals* that solves the lake in at least four of the five
+# runs?
 #
 # <details><summary>Hint</summary><code>repeat</code> takes an environment, a dictionary of methods and the number of
 # steps. A method is a function that makes an agent for an environment, and
@@ -755,9 +732,9 @@ check(exercise_4, frozen)
 # ### The open challenge: learn to climb in 5 000 steps
 # A wall of height 60 with two grips, and 5 000 steps in all: how *early* can an agent know the way? Write an agent of
 # your own. It is tried on ten walls that belong to your name, and nobody else has the same ones. Of the task it is
-# told only its observation space and its action space. It needs `act` and `learn`, like yours of exercise 3, which is too slow for this wall. Its
-# points are the average return of its evaluations during training (by `greedy`, if it has one), in percent of that of an
-# explorer that takes no avoidable step and is never cut off by the step limit: it needs 975 steps on average to reach the top for the first time, and knows the way from then on.
+# told only its observation space and its action space. It needs `act` and `learn`, like yours of exercise 3, which is too slow for this wall. Points:
+# the average return of its evaluations during training (by `greedy`, if it has one), in percent of that of an explorer
+# that reaches the top after 975 steps, as without an avoidable step, and knows the way from then on.
 #
 # Everything is allowed that learns from its own steps. Write half a page: what does your agent remember, why does that
 # find the top, and where would it fail?

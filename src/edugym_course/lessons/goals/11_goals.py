@@ -118,7 +118,7 @@ source(FutureGoals.achieved_after)
 source(HindsightQLearning, "learn_in_hindsight", "update")
 
 # %% [markdown]
-# (A row of its table is a pair of a state and a goal. `reward_at_goal` is 0, and `reward_elsewhere` is $-1$.) Here it
+# (A row of its table is a pair of a state and a goal, S‖G in the code. `reward_at_goal` is 0, and `reward_elsewhere` is $-1$.) Here it
 # learns from the episode above, with 'final' (a row of the table is 8 times the pattern, plus the goal). All values were $-9$ before, so that you see which have changed.
 
 # %%
@@ -147,7 +147,7 @@ source(HindsightDQN.remember_for)
 # %% [markdown]
 # Other libraries do it in the same way. They ask a *goal environment* for its rewards, by a convention of
 # Gymnasium-Robotics: an observation is a dictionary with what is achieved and what is desired, and `compute_reward` takes
-# any two of them.
+# any achieved and any desired goal.
 
 # %%
 seen, _ = env.reset(seed=2)
@@ -162,7 +162,7 @@ print("and if the goal were what is there:", env.compute_reward(seen["achieved_g
 # |---|---|
 # | all | DQN with its defaults: 64 hidden units, Adam with learning rate 0.001, $\gamma = 0.99$, $\varepsilon = 0.1$, a memory of the last 10 000 transitions |
 # | hindsight | none, 'final', or 'future' with $k = 4$ |
-# | training | 15 000 steps: some 1 900 episodes without hindsight, and some 2 500 with it |
+# | training | 15 000 steps |
 # | evaluation | 100 greedy episodes every 1 500 steps, each with another goal |
 # | repetitions | 5; bands are 95 % intervals |
 #
@@ -202,7 +202,7 @@ who.measured(names.get(close, "all three"))
 # </details>
 
 # %% [markdown]
-# Watch one greedy episode of the network with 'future'. It has never been told which part of the goal belongs to which switch.
+# Watch one greedy episode of the network with 'future'.
 
 # %%
 frames(task, methods.greedily(task, eight.agents["future"][0]), seed=2)
@@ -210,7 +210,7 @@ frames(task, methods.greedily(task, eight.agents["future"][0]), seed=2)
 # %% [markdown]
 # ## Your turn
 #
-# With how many switches does a network still learn without hindsight? (3 runs of 10 000 steps.) Move the other sliders, too.
+# With how many switches does a network still learn without hindsight? (3 runs of 10 000 steps.)
 
 
 # %%
@@ -288,14 +288,14 @@ at_random.measured(at_random.options[0 if end < -6.5 else 1 if end < -4.0 else 2
 # **Measured.** About −3, as much as with ε = 0.1. While it learned it reached its goals no more often than random play. So
 # hindsight did not help by exploring: all flips were random. It makes more of the same flips, of which the other
 # agent made nothing. And there *is* something to learn from a goal that was missed: from each episode it
-# learns how to reach the patterns that it *did* reach, and in the end the network knows the way to nearly all that we tried.
+# learns how to reach the patterns that it *did* reach.
 # </details>
 
 # %% [markdown]
 # ### Is it only more data?
 # With 'future' five times as many transitions go into the memory (the network makes hardly more updates). Perhaps their number helps, and not their goals? Take as $g'$ a
 # pattern that *another* episode achieved. As many transitions go into the memory as with 'future', with honest rewards, and
-# only the goals are others. (In the code a step before the episode has a negative number.)
+# only the goals are others. (In the code a step before the episode has a negative number, and `FAR_BACK` is 64.)
 
 # %%
 source(methods.OtherEpisodes.achieved_after)
@@ -319,8 +319,8 @@ elsewhere.measured("nothing" if end < -7.5 else "more slowly" if end < -3.5 else
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Nothing. A goal from elsewhere is nearly always missed, too. Our guess: what helps are
-# goals that were *achieved*, since their transitions have the rewards. With seven and with nine switches it learned next
-# to nothing in this time, either. (With eight switches and ten times the time such goals gave nothing either.)
+# goals that were *achieved*, since more transitions reach them. With seven and with nine switches it learned next
+# to nothing, either.
 # </details>
 
 # %% [markdown]
@@ -347,13 +347,13 @@ tabular.measured(both.final("future").mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** About −7.9, as if it had learned nothing. Every reward is 0 or $-1$, so no value can be higher than the
-# first ones, 0. As long as one flip of the next pattern was never tried, that pattern looks worth 0. So each flip that misses the goal is worth $-1$, however far the goal is, and the last flip is worth 0, like one that was never tried.
-# The greedy policy does what it knows nothing of. (This is the optimism of lesson 1.) Its steps held ways to many goals, though. On the right the values start at
+# first ones, 0. For each goal a flip that was never tried is worth 0, so the maximum at the next pattern stays 0. A flip that misses the goal is therefore
+# worth $-1$, however far the goal is, and the last flip is worth 0, like one that was never tried. So the greedy policy prefers what was never tried. (This is the optimism of lesson 1.) On the right the values start at
 # $-8$: this table returns about −5.2 with 'future', and about −7.8 without hindsight.
 #
 # It is still far behind the network. It makes at most 75 000 updates for its 524 288 numbers, and each tells of one pair
-# alone. (Seven switches have a quarter of the pairs; there, with 'future' and first values of −7, a table came to −3.3, and the best is −2.5.) The network has
-# *generalised*, over states and over goals: a switch that is wrong must be flipped, whatever the others are.
+# alone. (Seven switches have a quarter of the pairs; there, with 'future' and first values of −7, a table came to −3.3, and the best is −2.5.) Our reading: the network has
+# *generalised*, over states and over goals.
 # </details>
 
 # %% [markdown]
@@ -468,7 +468,7 @@ check(exercise_3, future_goal, seed=1, quiet=True)
 # - `environment.action_space.n` says how many switches there are.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# The check runs your program with four switches, and for 20 000 steps with six: a good program comes to about −2.6 there, and one without
+# The check runs your program with four switches, and for 20 000 steps with six: a good program comes to about −2.6 there (the best is −2.05), and one without
 # hindsight stays below −4. The check takes a minute or two. It sees the steps that your program takes, and no line of it. So the mistake that it names is only the
 # likely one.
 
@@ -537,7 +537,7 @@ check(project_11, my_program)
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A universal value Q(s, g, a) says what an action is worth for a goal.
 # An episode that misses its goal still reaches others, and hindsight learns its steps again for these, with the rewards that
-# the task would have paid. This neither explores nor changes the task: the steps are the same, and the memory holds more rewards.
+# the task would have paid. This neither explores nor changes the task: the steps are the same, and more transitions reach their goal.
 # A network then generalises over states and goals; a table learns each pair by itself.
 #
 # ### Limits
@@ -548,7 +548,7 @@ check(project_11, my_program)
 #
 # ### Further reading
 # - Andrychowicz et al. (2017), *Hindsight experience replay*: the method, and the task of this lesson (section 3.1). They
-#   have a control like ours, with goals from the whole training, and call it 'random'.
+#   also try goals from the whole training, 'random'.
 # - Schaul, Horgan, Gregor and Silver (2015), *Universal value function approximators*.
 # - Kaelbling (1993), *Learning to achieve goals*: a table over states and goals, learned for all goals at once.
 # - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 5.5 and 6.5 (learning off-policy), 16.5 (DQN), 17.1 (many questions

@@ -40,8 +40,7 @@ env.unwrapped.scene()
 # %% [markdown]
 # Play it yourself, with the buttons. Each step costs 1 point, an item brings 25 and the exit 50, so that the step onto
 # an item has the reward 24. (The exit pays the same with an empty bag as with a full one, and it ends the visit.) What
-# is the highest total that you can get? (The text below tells you. The line under the picture shows a number too, the *observation*. It stands
-# for where the shopper is and what is in the bag.)
+# is the highest total that you can get? (The text below tells you.)
 
 # %%
 play("Supermarket", max_steps=100)
@@ -158,15 +157,15 @@ earned = exact.myopic_return()
 print(
     f"highest next reward: {earned:.0f} points, random: {exact.random_return():.0f}, best policy: {methods.OPTIMUM:g}"
 )
+print(f"at random, but leaves wherever the exit is one step away: {exact.leaving_return():.0f} points")
 next_reward.measured(next_reward.options[0 if earned > 47 else 1 if earned >= 0 else 2])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
 # **Measured.** −248 points. Where no item and no exit is beside it, all four rewards are −1, and this player walks at
-# random too. Beside the exit it leaves, whatever is still missing in its bag. The policy with the highest total would not, but this is
-# why the player does better than random play: fewer of its episodes are cut off. Taking the items beside it adds
-# little. </details>
+# random too. Beside the exit it leaves, whatever is still missing in its bag. The best policy would not. But that is most of what
+# makes this player better than random play: who only leaves earns nearly as much. </details>
 
 # %% [markdown]
 # ### Values: the return to be expected
@@ -198,8 +197,7 @@ next_reward.measured(next_reward.options[0 if earned > 47 else 1 if earned >= 0 
 source(QLearning.learn)
 
 # %% [markdown]
-# To find something better, it should also try what does not look best. (In this shop it often finds the way without that, since
-# first values of 0 look good where each step costs a point.) **ε-greedy** takes a random
+# To find something better, it should also try what does not look best. **ε-greedy** takes a random
 # action with probability $\varepsilon$, and the greedy action otherwise. Now put this agent into the loop, for 2 000
 # steps:
 
@@ -221,10 +219,9 @@ print("values of the four actions in the first state:", agent.Q[8].round(2))
 frames(env, agent, max_steps=40)
 
 # %% [markdown]
-# The shopper stays at the entrance. Of the four values printed above, the highest is that of action 0, up. Up is the entrance, which is
-# no way out, and without learning the values stay as they are, so it stays where it is at every step. Here the agent knows only that
-# steps cost points. Each update carries value one step back, from $S'$ to $S$. The value of the red item has come back
-# nearly to the entrance, but not yet to it. And after 20 000 steps more? `train` is the loop that you have just seen,
+# The shopper stays at the entrance. Of the four values printed above, the highest is that of action 0, up. That leads nowhere, since nobody leaves by
+# the entrance, and without learning the values stay as they are, so it stays where it is at every step. Here the agent knows only that
+# steps cost points. Each update carries value one step back, from $S'$ to $S$. And after 20 000 steps more? `train` is the loop that you have just seen,
 # translated into machine code.
 
 # %%
@@ -253,7 +250,7 @@ print("its row in a table:", state, "in", road.observation_space)
 # same Q-learning with $\gamma = 0$: its target is $R$ alone, so it learns rewards, not returns. Both learners have $\alpha =
 # 0.5$ and $\varepsilon = 0.1$.
 #
-# Every 250 steps each of them plays one episode in which it neither explores nor learns: so we see what it has learned.
+# Every 250 steps each of them plays one episode in which it neither explores nor learns (the random one stays random): so we see what it has learned.
 #
 # **Predict.** Who has the lowest mean in these episodes, over the last 5 000 steps?
 
@@ -288,17 +285,16 @@ worst.measured(min(late, key=late.get))
 # has tried looks worse than what it has not, so it tries all actions. Then the value of the items and the exit comes
 # back along the way, one state after the other. </details>
 #
-# <details><summary>Why is γ = 0 worse than random play, and why does its line rise later?</summary>
+# <details><summary>Why is γ = 0 worse than random play?</summary>
 #
 # Where the agent has often been, its values are about −1, except beside an item or the exit. With exactly right values
 # it would be the player with −248 points from above. But they are not quite right, and in these episodes they do not change. So the
 # smallest difference decides, in the same way at every visit, and the shopper stands at a wall or wanders in one part
-# of the shop until the clock stops. While it learns (right panel) its values change at every visit, and it is
+# of the shop until the clock stops. While it learns (right panel) its values change at every visit and it explores, and it is
 # nearly as good as the player with −248 points.
 #
-# Why does the orange line rise later? After some forty tries of each action all four values are so near
-# to −1 that they count as equal (up to $10^{-12}$ here), and chance decides again. Two tests: where the first of equal actions is always taken, the line stays at −500; and with $\alpha = 1$ a
-# value is exactly −1 after one try, and this player is nearly as good as the one of −248 (the next cell). </details>
+# A test: with $\alpha = 1$ a value is exactly −1 after one try, and chance decides between equal values. This player is
+# nearly as good as the one with −248 (the next cell). </details>
 
 # %%
 at_once = methods.play_and_learn(n_steps=20_000, learning_rate=1.0, repetitions=30).curves(methods.MYOPIC)
@@ -308,6 +304,12 @@ print(f"{methods.MYOPIC} and α = 1: {at_once.loc[15_000:].to_numpy().mean():.0f
 # ## Your turn: the discount
 #
 # With $\gamma = 0.95$ the best way collects all three items.
+#
+# The map below shows $v_*$ of each cell for one bag, and the best action as an arrow. (A slanted arrow: two actions are
+# equally good. No arrow: several are, or it is the entrance, "in". White cells are the exit, or hold an item that is not in the bag: whoever
+# enters that takes it, and has another bag.) The orange line, the best way from the entrance,
+# is drawn on the map of the empty bag alone. After an item the bag is another one, so from there on the line may run against the arrows.
+# The right panel always shows this way: what each of its rewards counts at the start.
 #
 # **Predict.** How many items does the best way (the orange line below) collect with $\gamma = 0.85$?
 
@@ -329,11 +331,6 @@ items.measured(items.options[exact.items_on(exact.best_way(0.85))])
 # not to the world. </details>
 
 # %% [markdown]
-# The map shows $v_*$ of each cell for one bag, and the best action as an arrow. (A slanted arrow: two actions are
-# equally good. No arrow: several are, or it is the entrance, "in".) The orange line, the best way from the entrance,
-# is drawn on the map of the empty bag alone. After an item the bag is another one, so from there on the line may run against the arrows.
-# The right panel always shows this way: what each of its rewards counts at the start.
-#
 # *Move a slider and let it go.* At which values of $\gamma$ does the best way change? What is best for $\gamma = 0$?
 
 # %%
@@ -344,12 +341,10 @@ sliders(
 )
 
 # %% [markdown]
-# (White cells are the exit, or hold an item that is not in the bag: whoever enters that takes it, and has another bag.)
-#
 # <details><summary>Answer</summary>
 #
 # On this slider: at $\gamma = 0$ all ways from the start are equal. From 0.5 to 0.89 one item is best (16 steps), from
-# 0.9 to 0.94 two (22 steps), from 0.95 on all three (30 steps). (At $\gamma = 0.3$ it is two again: from the red item the green one is a step nearer than the exit. Try `figures.with_discount(gamma=0.3)`.)
+# 0.9 to 0.94 two (22 steps), from 0.95 on all three (30 steps).
 # </details>
 
 # %% [markdown]
@@ -370,7 +365,7 @@ sliders(
 # %% [markdown]
 # A faint colour starts beside the red item and comes back towards the entrance, one or two cells from picture to picture. Later
 # the cells grow darker once more: now the value of the other items and of the exit has come back too. In the end the
-# value of the first state, the entrance with an empty bag, is exactly right, for this agent. (The rest of the way has the bags "red",
+# value of the first state, the entrance with an empty bag, is right to one decimal, for this agent. (The rest of the way has the bags "red",
 # "red and green" and "all three".)
 
 # %% [markdown]
@@ -400,8 +395,8 @@ everywhere.measured(100 * share)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** In less than half of them. Before the first step, when all values are equal and chance decides, it was
-# 36 %. In 20 000 steps with 10 % random actions Q-learning learns *its way* and little else. (With random actions only, the share was 55 %.) In about half of the states it never
-# acted, and these keep their first values (35 % right, by luck). Most of the others it visited fewer than 50 times.
+# 36 %. In 20 000 steps with 10 % random actions Q-learning learns *its way* and little else. In about half of the states it never
+# acted, and these keep their first values (35 % right, by luck).
 # </details>
 
 # %% [markdown]
@@ -470,8 +465,8 @@ check(exercise_2, choose, seed=1, quiet=True)
 ### END HIDDEN TESTS
 
 # %% [markdown]
-# ### Exercise 3: your own agent, in about ten lines
-# An agent is a class with `act` and `learn`. Write `learn`: one update of Q-learning (equation 6.8). Read
+# ### Exercise 3: the update of your own agent
+# An agent is a class with `act`, `greedy` (for episodes without exploring) and `learn`. Write `learn`: one update of Q-learning (equation 6.8). Read
 # `self.learning_rate`, which is $\alpha$, `self.discount`, which is $\gamma$, and the table `self.Q`. After *terminated* the
 # target is the reward alone. The class is a `NamedTuple`: its fields are fixed, but the entries of the table `Q` can change.
 #
@@ -525,7 +520,7 @@ run = train("Supermarket", MyAgent(np.zeros((800, 4))), 3_000_000, evaluate_ever
 
 # %% [markdown]
 # Your agent's line should lie on that of Q-learning with $\gamma = 0.99$: it is the same agent. (With your own `choose`, which draws other random numbers, it lies near it.) The last line trains it for
-# 3 million steps: `run.seconds`, in a cell of your own, says how long they took. Now it is yours. Change its learning rate
+# 3 million steps: `run.seconds`, in a cell of your own, says how long that took, compiling and evaluating included. Now it is yours. Change its learning rate
 # or the 0.1 in `act`, and race again.
 
 # %% [markdown]
@@ -546,7 +541,7 @@ run = train("Supermarket", MyAgent(np.zeros((800, 4))), 3_000_000, evaluate_ever
 # The check runs your program in small worlds of its own and in the shop. It sees the steps that your program takes,
 # and no line of it. So the mistake that it names is only the likely one. Try it yourself first, with
 # `my_program(gym.make("edugym/Supermarket-v0"), 10_000, seed=0)`. Let it append the points of each episode to a list
-# outside of it, and plot them: a learning curve of your own is the best tool to find a mistake.
+# outside of it, and plot them with any library: a learning curve of your own is the best tool to find a mistake.
 
 # %% tags=["project"]
 my_program = ...  # your program
@@ -595,7 +590,7 @@ check(project_0, my_program)
 # update carries value back by one state, so the value of what is far away comes back by at most one state with each walk along the way. *Now say this in your own words.*
 #
 # ### What comes next
-# The shop was easy in many ways. Lessons 1 to 9 take these away, one by one; below are their environments. (Lesson 0b
+# The shop was easy in many ways. Lessons 1 to 9 make it harder, one thing at a time; below are their environments. (Lesson 0b
 # stays with one state, and asks how much to explore.) In lesson 10 you write your own: states, actions, and a reward that
 # says what you mean. And in lesson 11 the goal is another one in each episode.
 

@@ -14,7 +14,7 @@ from edugym.agents.expected_sarsa import ExpectedSARSA
 from edugym.agents.maxmin_q_learning import MaxminQLearning
 from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy
-from edugym.envs.casino import IN, STREET
+from edugym.envs.casino import CASINO, IN, STREET
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
 from edugym.mdp.protocol import Reals
@@ -22,10 +22,21 @@ from edugym.mdp.protocol import Reals
 N_MACHINES, N_EPISODES, REPETITIONS = 10, 300, 100
 LEARNING_RATE, EPSILON, DISCOUNT = 0.1, 0.1, 1.0
 Q_LEARNING, DOUBLE, EXPECTED = "Q-learning", "double Q-learning", "expected SARSA"
+RIGHT_AT_FIRST = "Q-learning, all machines at −0.1 at first"
 TWO, EIGHT = "maxmin Q-learning, N = 2", "maxmin Q-learning, N = 8"
+
+
+def right_at_first(mdp: Any, **settings: Any) -> QLearning:
+    """Return a Q-learner whose first values are right in the casino that does not pay."""
+    agent = QLearning.create(mdp, **settings)
+    agent.Q[CASINO] = -0.1
+    return agent
+
+
 METHODS: Mapping[str, Any] = MappingProxyType(
     {
         Q_LEARNING: QLearning.create,
+        RIGHT_AT_FIRST: right_at_first,
         EXPECTED: ExpectedSARSA.create,
         DOUBLE: DoubleQLearning.create,
         TWO: partial(MaxminQLearning.create, n_tables=2),
@@ -64,16 +75,6 @@ class Walks(NamedTuple):
         """The mean return of these episodes, by run."""
         income: Reals = self.earned[:, episodes].mean(axis=1)
         return income
-
-
-WITHOUT: Mapping[str, Mapping[str, Any]] = MappingProxyType(
-    {
-        "no noise": {"noise": 0.0},
-        "one machine": {"n_machines": 1},
-        "one machine, no noise": {"n_machines": 1, "noise": 0.0},
-    }
-)
-"""Casinos without noise, without a choice, and without both."""
 
 
 def agent_of(

@@ -5,7 +5,7 @@
 # before, and decide *what* to remember.
 #
 # **You will be able to** say what makes an observation different from a state; turn a table that forgets into one that
-# remembers, with a window; compute how long that window must be; explain why an agent should remember its own actions;
+# remembers, with a window; compute how long that window must be; say what belongs in it;
 # and write a memory with a table of 16 rows that does better than a window with millions.
 #
 # **Time.** {time} **Before you start.** You should know what a value function and
@@ -21,7 +21,6 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym import (
-    DQN,
     EpsilonGreedy,
     FrameStack,
     QLearning,
@@ -31,7 +30,6 @@ from edugym import (
     stack_size,
     wrapper,
 )
-from edugym.agents.tables import best_value, one_step_target
 from edugym.experiments.figures import Curves, Sheet
 from edugym.experiments.results.tables import joined
 from edugym_course.lessons.memory import figures, lake, network, pictures, players, recurrent, windows
@@ -100,7 +98,7 @@ play("MemoryCorridor", blind=True)
 # nothing: until the end each is 1.) So decisions based on the history are the best ones
 # possible. But histories grow without end, and a long one hardly ever comes twice. The agent needs something short
 # that stands for it: an *agent state*, a function of the history (Sutton and Barto, section 17.3). A good one keeps
-# what matters for the future and forgets the rest. This lesson has three of them.
+# what matters for the future and forgets the rest. This lesson has two of them, and a third in an aside.
 #
 # ### A window
 # Keep the last $k$ observations, and forget all before them:
@@ -135,12 +133,6 @@ source(FrameStack, "transition", "observation")
 # %%
 source(QLearning.learn)
 
-# %%
-source(one_step_target)
-
-# %%
-source(best_value)
-
 # %% [markdown]
 # Q-learning with a window of 2 observations, without actions: one greedy episode after 50 000 steps of training. In the
 # film each frame shows one step, and its "observation" is the row of the window *after* that step. The row at which the
@@ -172,25 +164,6 @@ print("returns of ten episodes:", players.remember(repetitions=10).final("notes"
 frames("MemoryCorridor", players.Rememberer.create(None), seed=4, max_steps=60)
 
 # %% [markdown]
-# ### A learned memory
-# The third kind is learned. A *recurrent* network has a memory $M_t$, some numbers that it changes at every step by a
-# function $u$ whose weights are learned. For recurrent PPO, the agent of an aside near the end, $u$ is an *LSTM*, a
-# small network that keeps numbers from step to step:
-#
-# $$
-# M_t = u(M_{t-1}, O_t)
-# $$
-#
-# (PPO learns the policy directly. You need not know it here.)
-
-# %%
-pictures.recurrent_cell()
-
-# %% [markdown]
-# The window and the notes are such functions as well (there $u$ may use the action too, as in section 17.3 of the
-# book), but somebody wrote them.
-
-# %% [markdown]
 # ## The experiment: what is a window worth?
 #
 # Q-learning with windows of $k = 1, 2, 3, 4$ observations, and with the actions between them (there also $k = 5$). With
@@ -203,9 +176,8 @@ pictures.recurrent_cell()
 # | evaluation | 40 greedy episodes every 4 000 steps; their mean return |
 # | repetitions | 50; bands are 95 % intervals |
 #
-# The dotted lines show the best play that we could find for an agent that sees the window alone. Where the window does
-# not tell the right door, this play guesses. A search has found it. For each content of the window it keeps all other choices, and takes the door with the highest mean return
-# over all sequences of doors. It repeats this until no change helps. (With full memory it is 1 000.)
+# The dotted lines show the best play that we could find for an agent that has no other memory than the window. Where the window does
+# not tell the right door, this play guesses. (With full memory it is 1 000.)
 #
 # The cell after the next is the whole experiment: one task for each window. `players.learn_all` makes these calls too,
 # and with `actions=True` the window shows actions as well.
@@ -279,11 +251,9 @@ sliders(
 # - With $\varepsilon = 0$ it ends at 6.5. In each row the first door that was right gets a value above 0. All others
 #   stay at 0, so the agent never tries them there. With any other ε of the slider it tries them, and 0.5 ends
 #   at 7.1 too.
-# - With $\alpha = 1$ it ends at 5.4, and with 0.99 at 6.9. At exactly 1 a single error makes a value 0, and its door is
-#   then tied with others.
 # - With $\gamma = 0$ it ends at 7.1.
 #
-# Why does γ hardly matter? Every right door is rewarded at once. The difficulty of this task is not that rewards come
+# Why does γ = 0 do as well? Every right door is rewarded at once. The difficulty of this task is not that rewards come
 # late, but that the *information* comes early and is needed late. </details>
 
 # %% [markdown]
@@ -325,7 +295,7 @@ needed.measured(windows.smallest_window(4))
 # laws below.
 # </details>
 #
-# **The law for observations alone.** The door at place 0 was marked once, at step 0. Corridors $1, \dots, L-1$ take
+# **The law for observations alone.** The door at place 0 was marked once, at step 0, and later places after it. Corridors $1, \dots, L-1$ take
 # $L(L-1)/2$ steps. So at the first place of corridor $L$ the mark lies $L(L-1)/2$ steps back, and the window must hold
 # one observation more, the present one:
 #
@@ -344,8 +314,8 @@ figures.twin_figure(4, 4, actions=True)
 # It must also know the length of the corridor. Two marks would tell it: the last two are as many steps apart as the
 # previous corridor is long.
 #
-# The two marks take $2L - 3$ observations (the aside below counts them), and the last walk takes $L$. Both end at the
-# present, so the longer one counts:
+# Up to corridor $L - 1$ the window must hold both marks. That takes $2L - 3$ observations (the aside below counts
+# them). A single mark then means corridor $L$, where the last walk must fit, which takes $L$. The longer one counts:
 #
 # $$
 # k = \max(L,\; 2L - 3)
@@ -409,7 +379,7 @@ early.measured(
 #
 # **Measured.** It returns more: 6.9 against 6.0. The larger table is further from *its own* best. But 144 times as many
 # rows are not 144 times as much to learn: after 1 000 steps only about 74 of its 82 944 rows have a value other than 0,
-# and about 50 of the 576 rows of the smaller one. We think that is why it is not behind. (Without actions, where it has less to gain, $k = 5$ is a little behind $k = 4$ for some 500 steps.) </details>
+# and about 50 of the 576 rows of the smaller one. We think that is why it is not behind. </details>
 
 # %% [markdown]
 # ### A network on the window
@@ -419,15 +389,6 @@ early.measured(
 # of them as a vector with a single 1. The target has the same form as before, but its values come from an older copy of
 # the network (section 16.5). A step down the gradient takes the place of the change of one entry. (The paper takes the
 # DQN of Stable-Baselines3, and this is the package's own: its curves are not those of the paper.)
-
-# %% [markdown] tags=["aside"]
-# ### Aside: one update of DQN in code
-# Three names in the code: `memory` is the store of old steps for training, not what the agent remembers of the corridor.
-# `target` is the target, and `self.target` the older network. `slope_of_loss` gets $Q(S, A)$ less the target, cut to the
-# range −1 to 1, so a step *down* that slope moves $Q(S, A)$ towards the target.
-
-# %%
-source(DQN.add_gradient)
 
 # %% [markdown]
 # ### Seven observations
@@ -495,7 +456,6 @@ display(figures.worth((alone, both), networks))
 print(f"best play with 7 observations and actions returns {windows.best_play(7, actions=True).value:.1f} on average")
 for length, share in enumerate(windows.best_play(7, actions=True).through[:7], start=1):
     print(f"  it gets through corridor {length} in {share:.0%} of all episodes")
-figures.twin_figure(8, 6, actions=True)
 
 # %% [markdown]
 # Three things come together.
@@ -504,8 +464,7 @@ figures.twin_figure(8, 6, actions=True)
 #    missing (except at the first place of corridor 6) is the second last mark, which tells how long the corridor is.
 # 2. The actions tell it as well, most of the time. In a corridor of length $L$, each door that the agent has just
 #    opened on this walk is the same as the one opened $L - 1$ steps before it. A wrong length fits only by chance, in one
-#    case of three for each door that can be compared. In the last figure it fits, and even a window of 8 is not enough:
-#    nearly all doors are door 0.
+#    case of three for each door that can be compared.
 # 3. Where nothing tells the length, a guess is still right in some of the episodes.
 #
 # So the best play with this window gets through corridor 6 in 85 % of all episodes, and returns 23 on average. DQN
@@ -513,6 +472,20 @@ figures.twin_figure(8, 6, actions=True)
 
 # %% [markdown] tags=["aside"]
 # ### Aside: a memory that is learned
+# A *recurrent* network has a memory $M_t$, some numbers that it changes at every step by a function $u$ whose weights
+# are learned. For recurrent PPO $u$ is an *LSTM*, a small network that keeps numbers from step to step:
+#
+# $$
+# M_t = u(M_{t-1}, O_t)
+# $$
+#
+# The window and the notes are such functions as well (there $u$ may use the action too, as in section 17.3 of the
+# book), but somebody wrote them.
+
+# %%
+pictures.recurrent_cell()
+
+# %% [markdown]
 # Recurrent PPO sees one observation at a time, no window, and never its own actions. It has to learn what to keep. It
 # learns from 64 copies of the task at once, by the policy gradient (PPO), with an LSTM of 64 units. A run takes half a
 # minute or more, so **nothing is trained here**: these are the stored results of ten seeds, 150 000 steps each
@@ -539,8 +512,7 @@ learned.measured(learned.options[0 if ends.mean() < below else 1 if ends.mean() 
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It ends near 16, between the two. Its mean still rose in the last third of the training. Nobody told it that there
-# are marks, places or lengths. With observations alone, a window that never errs through corridor 5 would have to hold
-# 11 of them. (The numbers of steps are not a race. PPO collects rounds of 64 · 32 steps, uses each round 4 times, and
+# are marks, places or lengths. (The numbers of steps are not a race. PPO collects rounds of 64 · 32 steps, uses each round 4 times, and
 # throws it away. DQN draws its batches from the last 10 000 steps.) </details>
 
 # %% [markdown] tags=["aside"]
@@ -582,10 +554,8 @@ blind.measured(solved[0] if solved else counts[-1])
 # too little: *down* is followed by down once, and by right another time. The other ways do not help: of all 256 rules
 # from one last action to the next one, none gets to the goal.
 #
-# Three actions contain all that two contain, and yet two of the ten runs with $k = 4$ ended without the goal. One
-# pushes against the wall for ever, the other walks to and fro between the first two cells. (Of 120 more runs with two
-# actions 101 got there, of 120 with three also 101, and of 80 with four 77.) "Enough to know" does not yet mean
-# "learned".
+# Of 120 more runs with two actions 101 got there, of 120 with three also 101, and of 80 with four 77: "enough to know"
+# does not yet mean "learned".
 # </details>
 
 # %% [markdown]
@@ -819,8 +789,8 @@ display(figures.race(notebook, n_steps=20_000, repetitions=10, log=True, evaluat
 # %% [markdown]
 # <details><summary>What the race shows</summary>
 #
-# The axis is logarithmic. Q-learning with the notebook reaches 1 000, the optimum, before the first point of the curve,
-# and stays there. (Of 100 runs 92 are there after 100 steps, and all after 200.) It has only two things to learn: at a mark open the marked door, and elsewhere the noted one. "Hidden state
+# The axis is logarithmic. Q-learning with the notebook is at 1 000, the optimum, by the second point of the curve, and
+# stays there. (Of 100 runs 92 are there after 100 steps, and all after 200.) It has only two things to learn: at a mark open the marked door, and elsewhere the noted one. "Hidden state
 # needs a long window" is wrong. It needs the *right* memory, here one door for each place.
 # </details>
 
@@ -831,7 +801,7 @@ display(figures.race(notebook, n_steps=20_000, repetitions=10, log=True, evaluat
 # steps, and there are 5 000 steps in all. **All training episodes count**, from the first one on, and each with the
 # same weight.
 #
-# Write an agent with `act` and `learn`, whose memory is inside. Of the task it is told only the two spaces:
+# Write an agent with `act(state, rng)` and `learn`, whose memory is inside; `state` is the observation. Of the task it is told only the two spaces:
 # observations 0 to 9 are signs, 10 is "no mark". `learn` asks by name for what it needs: `state`, `action`, `reward`,
 # `next_state`, and `terminated` and `truncated`, which tell it when an episode is over. `my_agent` returns a new agent.
 # If it is a `NamedTuple` of arrays, like `QLearning`, it is compiled; a plain class works too, more slowly. Give it no

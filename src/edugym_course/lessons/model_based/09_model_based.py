@@ -2,7 +2,7 @@
 # # Model-based RL: Supermarket
 #
 # **The challenge.** Steps in the world cost time, money, sometimes a broken robot. An agent that knows what its actions
-# would do can try them in its head, where they cost nothing: it *plans* with a *model*.
+# would do can try them in its head, where no step is spent: it *plans* with a *model*.
 #
 # **You will be able to** plan with a given model, and with one that the agent learns (Dyna, prioritised sweeping, R-max);
 # say what planning can do for an agent, and what it cannot; show what a wrong model does to a plan; and write R-max
@@ -145,7 +145,7 @@ maps.dynamic_programming()
 #
 # As this uses one sample of the model, it is called a *sample update*. The model knows nothing but what was tried.
 #
-# The book's four lines stand in the middle of this code. (`act` calls `plan` before it chooses. `n_known` counts the
+# The equations above stand in the middle of this code. (`act` calls `plan` before it chooses. `n_known` counts the
 # pairs in the model. `planning.start` and `lasts` count the $n$ updates. In `imagined_target` only the line with
 # `self.model.sample` runs here, since `expected_updates` and the bonus are off.)
 
@@ -200,8 +200,8 @@ spread.measured({(): "neither", ("Dyna", "prioritised sweeping"): "both"}.get(kn
 #
 # **Measured.** Prioritised sweeping does, and Dyna does not: Dyna's table has a value above 0 in two cells only. In
 # that of Q-learning it is one cell, the last one before the exit. Grey cells were never seen; cream cells were seen,
-# and have no value above 0. Look at the way that prioritised sweeping has found: it passes the items by. We will come
-# back to that.
+# and have no value above 0. Look at the way that prioritised sweeping has found: it passes the items by. The walk met
+# none of them.
 # </details>
 
 # %% [markdown]
@@ -292,10 +292,7 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 #
 # **Measured.** Dyna-10 needs about a quarter of the steps of Q-learning, and the other two planners about a fifth:
 # that is what a model is for. (The curves are means, which slow runs pull down.) And then they hardly improve.
-# Q-learning ends highest in this shop, and the two that rise first end lowest.
-#
-# The planners' lines in the right panel dip at step 500, where the first long episodes end at the limit, with low
-# returns. (Both panels cut off a bad start.)
+# Q-learning ends highest in this shop, and the two that rise first end lowest. (Both panels cut off a bad start.)
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -393,7 +390,7 @@ sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1)
 # <details><summary>What was measured</summary>
 #
 # - $n$: until half of the runs are at 70, ten updates save Dyna some 2 000 steps, and thirty more some 200 (100 runs; ten do not show it). Thirty more hardly help prioritised sweeping.
-# - $\varepsilon$: with 0.5 both planners end higher than with 0.1, and Q-learning lower. (With 0.9 they end at 95, but need twice as many steps to 70.)
+# - $\varepsilon$: with 0.5 both planners end higher than with 0.1, and Q-learning lower. (With 0.9 the planners end at 95, but need twice as many steps to 70.)
 # - $\alpha$: with 0.1 all need at least twice as many steps.
 #   Nothing is random, so 1 is fastest.
 # - $\gamma$: with 0.9 all three take about as many steps as before. But with 0.94 or less the way with the highest
@@ -425,14 +422,13 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** About 83: planning is not what Dyna lacks. Its policy is the best by what it has
-# seen, and so, nearly, are those of the other planners. Three quarters of their losses, or more,
-# come from runs that missed an item, most often the blue one. Q-learning has been everywhere, and
-# makes less of it.
+# seen, and so, nearly, are those of the other planners. Many of their runs have missed an item, most often the blue
+# one. Q-learning has seen all that the best way needs, and makes less of it.
 # </details>
 
 # %% [markdown]
-# **Planning invents no knowledge.** Soon after a planner has found a way to the exit, its policy takes it. Q-learning wanders to
-# every cell. A likely reason: only random steps leave the way of a planner, and it goes straight back. The more Dyna plans (up to some 40 updates a step), the earlier it *exploits*, and the less it gets to know. If
+# **Planning invents no knowledge.** Soon after a planner has found a way to the exit, its policy takes it. That of
+# Q-learning takes longer. A likely reason for what planners miss: only random steps leave their way, and they go straight back. If
 # so, more exploration should mend it. Two remedies below try that.
 #
 # Who ends *higher* depends on the shop. The aside tries twelve others: in all of them Dyna-10 gets to know less than
@@ -461,14 +457,12 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** In 7 of 12. (One of these is the sixth shop: ten runs give 96 against 82, and in 1 900 runs the two are equal within a point.) In the others it ends below, in some of them far below. So "planning makes the last policy
+# **Measured.** In 7 of 12, so in about half: ten runs cannot say exactly. In the others it ends below, in some of them far below. So "planning makes the last policy
 # worse" is true of our shop, and not of shops. Look at the second line of each method: what the best plan by what it
 # has seen would return. (The plan is best for the discounted return, so a policy may return a little more than it.)
 # This is the same everywhere. Q-learning gets to know nearly all that a best plan needs in every shop, and in some it does not make a
 # policy of it in the time that it has. Dyna-10 gets to know less than Q-learning in each of them, and its policy *is*
 # the best plan by what it knows. Who ends higher depends on which of the two costs more there.
-#
-# In our own shop, could first values of 0 be the reason why Dyna sees less? No: with any from −100 to 40 it knows less than Q-learning (100 runs each).
 # </details>
 
 # %% [markdown]
@@ -494,7 +488,7 @@ elsewhere.measured(int((ends["Q-learning"] > ends["Dyna-10"]).sum()))
 #
 # The code keeps two tables. `optimistic` is the one above, by which it acts. `Q` has $-100$ in the place of $U$, and
 # avoids what is unknown: the policy is evaluated by it. (`sweep` holds the list of known pairs, and where the sweep has
-# got to; planning goes on until a whole sweep changes nothing.)
+# got to; planning goes on until a whole sweep changes nothing, or until 1 000 updates of a step are made.)
 
 # %%
 source(RMax, "learn", "plan", "act")
@@ -502,8 +496,7 @@ source(RMax, "learn", "plan", "act")
 # %% [markdown]
 # (`expected_target` is the right side of the equation.)
 #
-# The settings are those from above, with 40 repetitions. R-max has no $\varepsilon$ and no $\alpha$, and makes up to 1
-# 000 updates a step.
+# The settings are those from above, with 40 repetitions. R-max has no $\varepsilon$ and no $\alpha$.
 #
 # **Predict.** Dyna-10 ends at the optimum, 95, in some three of ten runs, after 10 000 steps. In how many runs does R-max
 # have a policy that returns 95 after 2 000 steps?
@@ -525,8 +518,7 @@ wants_to_know.measured(100 * np.mean(remedied.curves("R-max").loc[2_000] >= 95))
 # **Measured.** In nearly all runs, and soon after in all. R-max needs no more steps than the other planners, and it
 # gets everything. More random steps help too (for $\varepsilon = 0.5$ only 100 runs show it surely), but slowly. All
 # that the remedies change is what the agents have *seen*: in the right panel the two dots of each method stay close
-# together. In the twelve other shops it is the same: with the falling $\varepsilon$ Dyna-10 gets to know more and ends
-# higher, and R-max ends within one percent of the best plan in nearly every run.
+# together.
 # </details>
 
 # %% [markdown]
@@ -574,7 +566,7 @@ depth.measured(int(looking.x[looking.lines["knows nothing"] >= 95][0]))
 # the exit behind it*. For the second item that takes 11 steps (a return of 78), and for the third 12.
 #
 # Good values make a short look enough: Dyna-10 needs none to get its 82. Bad ones can do harm: with a look ahead of 8,
-# half-learned values of Q-learning lead the agent astray where zeros do not. (With 10 and 11 they are ahead.) Up to a look ahead of 10 Dyna-10 gains
+# half-learned values of Q-learning lead the agent astray where zeros do not. Up to a look ahead of 10 Dyna-10 gains
 # little. With 11 and 12 it gets items that it has never seen: the *given* model knows them.
 # </details>
 
@@ -610,11 +602,10 @@ never.measured(100 * len(lost) / 40)
 #
 # **Measured.** More than nine of ten. A plan is a search for the largest value, so it finds the largest *errors*. Among
 # the 420 states before the exit, with four actions each, some wall seems to pay for each bump. Bumps can go on for
-# ever, so a small error adds up, and the more so the larger $\gamma$ is (exercise 1). The few other lost plans go to
-# and fro between two cells. Up to $\sigma = 0.5$ no plan was lost with $\gamma = 0.9$ or 0.95: no wall pays enough.
+# ever, so a small error adds up, and the more so the larger $\gamma$ is (exercise 1). Up to $\sigma = 0.5$ no plan was lost with $\gamma = 0.9$ or 0.95: no wall pays enough.
 #
 # Is it the walls? Without the errors of bumps about 70 % of the lost plans get to the exit with $\gamma = 0.95$. With
-# $\gamma = 0.97$ nine of ten stay lost, and go to and fro. To go round and round pays, and a bump is the shortest round.
+# $\gamma = 0.97$ all but two of 40 stay lost. A plan that never ends goes round and round, and a bump is only the shortest round.
 # </details>
 
 # %% [markdown]
@@ -653,11 +644,11 @@ saved.measured(saved.options[slow + 2 * fast])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Only with $\alpha = 0.1$ (in the right panel). With $\alpha = 1$ a value is what the last update says: one imagined update
-# at a wall brings the whole error of the model back (with *one* imagined update a step, not ten, the last policy was good in 43 of 48 runs). With $\alpha = 0.1$ a value is a mean over many updates. The imagined ones are
+# at a wall brings the whole error of the model back. With $\alpha = 0.1$ a value is a mean over many updates. The imagined ones are
 # spread evenly over the whole model, and the real ones are all on the way of the agent. Where it walks often, reality
 # wins: a bump that disappoints again and again is given up. If that is the reason, then more imagined steps should turn
 # it round. With 200 for each real one, 15 of 24 last policies still get to the exit; with 10 all do. So that is a part of the reason at least. With the right
-# model (left) the small rate is the slowest, and at the end 9 of its 24 runs (with other seeds, 13) still leave an item out. What is best
+# model (left) the small rate is the slowest, and at the end 9 of its 24 runs still leave an item out. What is best
 # depends on how far you trust your model.
 # </details>
 
@@ -933,7 +924,7 @@ check(exercise_4, lake_results)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# Q-learning and Dyna-10 both hardly ever arrive; 5 runs cannot tell which is ahead. (In 300 runs Dyna-10 was, with 5 % against 3 %.) With $\alpha = 0.1$ Dyna-10 arrives
+# Q-learning and Dyna-10 both hardly ever arrive; 5 runs cannot tell which is ahead. With $\alpha = 0.1$ Dyna-10 arrives
 # in about half of the episodes. Q-learning still seldom does, for two reasons at least. It uses each of its 3 000 steps only once, so the
 # rare 1 spreads slowly. And with first values of 0 a fall into a hole teaches nothing: with 0.000001 in place of 0 it arrives in a quarter of the episodes, and with 0.5 in half of them.
 # </details>
@@ -942,8 +933,8 @@ check(exercise_4, lake_results)
 # ### The open challenge: know the shop in 3 000 steps
 # How *early* can an agent take the best way? Write an agent of your own. It is tried in ten runs whose seeds belong to
 # your name. Of the task it is told only its observation space and its action space. It needs `act` and `learn`, like
-# yours of exercise 3; with a third method `greedy` it is evaluated by that. Its points are its average return over
-# training, in percent of 95. An agent that knew the shop from the start would get 100 points. Nobody gets them, since the
+# yours of exercise 3; with a third method `greedy` it is evaluated by that. Its points are its average greedy return
+# over 3 000 steps of training, in percent of 95. An agent that knew the shop from the start would get 100 points. Nobody gets them, since the
 # shop must be seen first. Until its policy finds the exit it returns −425 at best: three items are worth 75, and the
 # 500 steps of the episode cost 500.
 #
@@ -1031,8 +1022,8 @@ check(project_9, my_program)
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A model says what an action would do. With it an agent can
 # make updates without taking steps, so it needs fewer of them: good where steps cost much. A model may be given, or
-# learned from what was tried. Planning spreads what is known through all values, fastest backwards from where they
-# change; it adds nothing to what is known. An agent that plans makes the most of what it has seen. If that is the whole
+# learned from what was tried. Planning spreads what is known through all values, in the fewest updates backwards from where
+# they change; it adds nothing to what is known. An agent that plans makes the most of what it has seen. If that is the whole
 # world, it is done. If not, it stays with what it knows, unless it explores on purpose: slowly by random steps, or
 # systematically, if it plans as if the unknown were wonderful. And since a plan is a search for the largest value, it
 # finds the errors of its model first.

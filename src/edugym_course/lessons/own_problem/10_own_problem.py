@@ -5,8 +5,8 @@
 # you decide, and the agent does exactly what your reward says, which is not always what you meant.
 #
 # **You will be able to** turn a wish into states, actions, dynamics and a reward; find the mistakes in a problem before
-# an agent does; see from the best policy, computed exactly, what a reward teaches; shape a reward without changing its
-# optimum; and take a problem of your own through everything, up to a file that a friend can play.
+# an agent does; see from the best policy, computed exactly, what a reward teaches; shape a reward without changing which
+# policy is best; and take a problem of your own through everything, up to a file that a friend can play.
 #
 # **Time.** {time} **Before you start.** You
 # should know the definition of a Markov decision process and value iteration (Sutton and Barto, 2nd edition, chapter 3
@@ -26,7 +26,6 @@ from edugym import (
     CountBased,
     DynaQ,
     EpsilonGreedy,
-    FiniteModel,
     MDPEnv,
     NStepSARSA,
     QLearning,
@@ -263,12 +262,8 @@ not_found.measured(*accepted)
 # Your wish is not in this equation. Only $p$ and $r$ are, and the best policy is best for them. (The book's example, in
 # section 3.2: a chess player who is paid for taking pieces may take them and lose the game.) A problem with 25 states
 # (at 7:10 there is only one) can be solved exactly, by computing the right side again and again for all states at once
-# (value iteration, section 4.4). This is the right side before the maximum (`looked_ahead` is the sum):
-
-# %%
-source(FiniteModel.action_values)
-
-# %% [markdown]
+# (value iteration, section 4.4).
+#
 # The discount is $\gamma = 1$ in the whole lesson: an episode has 8 steps, and sleep at eight is worth as much as sleep
 # at half past seven. Here is the whole best policy. Can you say in words what it does? And at 8:00, why is it quiet
 # when she is dozing, and chimes when she is fast asleep?
@@ -356,8 +351,7 @@ for method, returns in worth.items():
 
 # %% [markdown]
 # All five learn a clock that is far better than random actions. Dyna is close to the optimum after 1 000 steps (125
-# mornings), and finds the best policy in most runs. 3-step SARSA is the second fastest, but in 400
-# more runs it ends lower than Q-learning (9.47 against 9.71). The other three are still rising. The novelty reward is no
+# mornings), and finds the best policy in most runs. 3-step SARSA is the second fastest. The other three are still rising. The novelty reward is no
 # help here: in 1 000 runs it was 0.7 behind Q-learning after 1 000 steps, and ended at the same value.
 # (On the left the points are means of played episodes, which luck may lift above the optimum, 10.32; on the right the
 # policies are evaluated exactly.)
@@ -421,7 +415,7 @@ mild.measured("stalls at once" if change < 0 else "runs as before")
 #
 # 1. *"I want her awake, so I pay for that":* 2 for each step at the end of which she is awake, less the cost of rings.
 #    (Sleep is not worth anything here.)
-# 2. *"The reward comes so late. I add a bonus for progress":* the reward as it was, and 10 each time she wakes.
+# 2. *"The penalty comes so late. I add a bonus for progress":* the reward as it was, and 10 each time she wakes.
 #
 # **Predict.** What will the best clock do with the second one?
 
@@ -437,11 +431,12 @@ progress = predict(
 progress
 
 # %%
+careless = {label: task for label, task in experiments.TASKS.items() if label != exact.POTENTIAL}
 nights = {}
-for label, task in experiments.TASKS.items():
+for label, task in careless.items():
     nights[label] = exact.what_happens(experiments.TASKS[exact.MEANT], exact.best_policy(task))
     print(f"{label}:\n    {nights[label]}")
-display(figures.policies(experiments.TASKS))
+display(figures.policies(careless))
 wakings = nights[exact.WAKINGS].wakings
 earlier = nights[exact.WAKINGS].sleep < nights[exact.MEANT].sleep
 progress.measured(progress.options[2 if wakings > 1.5 else 1 if earlier else 0])
@@ -455,12 +450,11 @@ progress.measured(progress.options[2 if wakings > 1.5 else 1 if earlier else 0])
 # 0.3 \cdot 9 = 4.3$ on average.) With either reward she hardly ever oversleeps. By the reward that was meant they
 # return 2.3 and 2.4, less than a quarter of the optimum, 10.3. This is called *reward hacking*, but nobody is hacked:
 # the agent does what it is paid for. (In the second map the cell with two letters has two best actions: at 8:20 neither
-# quiet nor a chime can wake her, and a ring costs 4 and earns $0.9 \cdot 2 = 1.8$. The fourth map belongs to the next
-# part.)
+# quiet nor a chime can wake her, and a ring costs 4 and earns $0.9 \cdot 2 = 1.8$.)
 # </details>
 
 # %% [markdown]
-# ### A bonus that changes no optimum
+# ### A bonus that changes no best policy
 # Progress bonuses are useful, and there is a safe form. Choose any function of the state, the *potential* $\varphi(s)$,
 # which is 0 in terminal states, and add to the reward what the potential gains (Ng, Harada and Russell, 1999):
 #
@@ -491,10 +485,7 @@ print("same best actions everywhere:", np.array_equal(best.greedy_policy(), shap
 print(f"largest difference from v*(s) − φ(s): {np.abs(difference).max():.0e}")
 
 # %% [markdown]
-# The bonus and the potential pay the same 10; only the potential takes it back. In the maps above the fourth belongs to
-# the potential, and it is equal to the first, cell by cell.
-#
-# **Predict.** Q-learning now learns from five rewards: the four above, and one with $\varphi(s) = v_*(s)$, which nobody
+# **Predict.** Q-learning now learns from five rewards: the three above, that with the potential, and one with $\varphi(s) = v_*(s)$, which nobody
 # knows before learning. The settings are those of the experiment (20 runs), and we judge its greedy policy by the
 # reward that was meant, exactly. Does the potential of 10 for being awake help: which is ahead after 800 steps (100
 # mornings)? (Each budget of the figure is four times the one before, and the axis is logarithmic. Bands are 95 %
@@ -518,7 +509,7 @@ helps.measured("with the potential" if lead > 0.5 else "without any shaping" if 
 #
 # **Measured.** At 800 steps Q-learning with the potential of 10 is far *behind* Q-learning without shaping: $-2.4$
 # against 6.7. After 12 800 steps both are near the optimum (9.8). With $\varphi = v_*$ Q-learning is close to
-# the optimum after 200 steps already. So a potential cannot spoil the optimum, but it can help learning or slow it
+# the optimum after 200 steps already. So a potential cannot change which policy is best, but it can help learning or slow it
 # down: to Q-learning it is the same as a table that starts at it (the aside says why). With the two careless rewards more
 # training does not bring the agent to what was meant.
 # </details>
@@ -534,7 +525,8 @@ helps.measured("with the potential" if lead > 0.5 else "without any shaping" if 
 # $$
 #
 # That is the error of Q-learning *without* shaping, with a table $Q = Q' + \varphi$. So both move by the same amounts:
-# to learn with a potential is to learn without one from a table that *starts* at $\varphi(s)$ (Wiewiora, 2003). Let
+# to learn with a potential is to learn without one from a table that *starts* at $\varphi(s)$ (Wiewiora, 2003). ($\varphi(s)$
+# adds the same to every action of a state, so the greedy actions are the same.) Let
 # two agents learn from the same steps, and compare their tables:
 
 # %%
@@ -557,9 +549,7 @@ print("the same tables, but for φ:", np.allclose(shaped_agent.Q + phi.reshape(2
 # %% [markdown]
 # So the potential of 10 is an old friend from lesson 1: optimistic initial values. Every action in every state in which
 # she is awake looks as if it were worth 10, until it has been tried often enough; with $\alpha = 0.1$ that takes long.
-# Is this the whole effect of a potential? Then a table that starts at $-\varphi$ should cancel it. It does: with the
-# potential *and* such a table Q-learning learns exactly as without either, in nights of 8 and of 12 steps, and with a
-# potential of 20 too (`edugym reproduce own_problem`). A table that starts at $v_*$ has the right value for every best
+# A table that starts at $v_*$ has the right value for every best
 # action, so only the others must be learned. "Awake is worth 10 at any hour" is far too optimistic.
 
 # %% [markdown]
@@ -622,8 +612,8 @@ print(f"Q-learning that sees the time: mean {returns.mean():.2f} of {possible:.2
 
 # %% [markdown]
 # Q-learning falls short of 9.98, and more training does not help: after 1 000 000 steps 30 runs were at 9.1 on average.
-# Where it does not see the whole state, Q-learning has no guarantee. What you measure is the variable's worth *for this
-# agent*.
+# What it sees next is the next time, whatever it does, so no chime gets credit for what comes later. It learns to be quiet
+# seven times and then to ring: $14 - 4.9 = 9.1$. What you measure is the variable's worth *for this agent*.
 
 # %% [markdown]
 # ## Exercises
@@ -891,7 +881,7 @@ for sheet in tour.sheets:
     display(sheet)
 
 # %% [markdown]
-# To see the best action in every state:
+# If the list ends in "... and more", this prints the best action in every state:
 # `for s, p in zip(tour.values.model.states, tour.values.greedy_policy()): print(s, p)`.
 #
 # **A careless reward.** Solve your problem with another reward, and judge both policies by the one that you meant. This
@@ -974,7 +964,7 @@ play("my_problem.py")
 # - `__init__` sets `self.observation_space`, and `self.action_space`, which is `Discrete(n)` with two actions or more.
 # - `reset(self, *, seed=None, options=None)` begins with `super().reset(seed=seed)`, which makes the generator
 #   `self.np_random`. Then `reset` sets everything anew. All that changes belongs to `self`, and nothing to the class. It returns the first observation and a dictionary.
-# - `step(self, action)` returns the observation, the reward, *terminated* (it is over), *truncated* (it is only cut off, by the clock and not in the first step; True or False of Python) and a dictionary. Every episode ends within 10 000 steps,
+# - `step(self, action)` returns the observation, the reward, *terminated* (it is over), *truncated* (it is only cut off, after a fixed number of steps larger than 1; both are True or False of Python) and a dictionary. Every episode ends within 10 000 steps,
 #   also if one action is taken again and again: if in doubt, truncate it. An action may be a whole number of Python or of NumPy.
 # - The same seed and the same actions give the same episode.
 #
@@ -1036,8 +1026,7 @@ check(project_10, MyEnvironment)
 # ### Limits
 # All of this could be solved exactly, which real problems cannot. There a careless reward is found out late, by
 # watching what the agent does. We chose the numbers 4 and 10 by feeling; lesson 14 learns a reward from what a
-# teacher prefers. And a potential keeps the optimum, but not what a learner with little time, or with a function
-# approximator, ends up with.
+# teacher prefers. And a potential keeps the best policy, but not what a learner with little time ends up with.
 #
 # ### Further reading
 # - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 3.2 (goals and rewards), 17.3 (observations and state), 17.4

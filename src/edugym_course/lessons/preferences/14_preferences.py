@@ -25,7 +25,6 @@ from edugym import (
     value_iteration,
     with_rewards,
 )
-from edugym.agents.preferences import most_likely
 from edugym_course.lessons.own_problem.morning import Morning
 from edugym_course.lessons.preferences import figures, methods
 from edugym_course.notebook import play, predict, sliders, source
@@ -101,12 +100,8 @@ for noise in (0.1, 1.0, 10.0):
 # learned in units of the noise), and $n_1$, $n_2$ count how often
 # each night took action $a$ in state $s$. It reads like the updates that you know: a rate, an error, and where to put it.
 # What surprises most is learned most. The package makes the logarithm of the likelihood of all comparisons as large as possible, by Newton's method. A *prior* $\lambda$ takes
-# $\frac{\lambda}{2} \sum \hat r^2$ off it: the larger $\lambda$ is, the smaller the rewards are on the whole, and those that nothing is known of stay 0. These are the lines that do it (`gradient` is the step above for all comparisons at once, with the preferred night first, so $y = 1$, and less what the prior takes):
-
-# %%
-source(most_likely)
-
-# %% [markdown]
+# $\frac{\lambda}{2} \sum \hat r^2$ off it: the larger $\lambda$ is, the smaller the rewards are on the whole, and those that nothing is known of stay 0.
+#
 # ### Follow the reward, with a penalty
 # Now we have a reward, and any method of this course can maximise it. In practice one does not maximise it freely: each step is charged for
 # leaving the reference policy, with a *penalty* $\beta$. The policy maximises
@@ -126,9 +121,6 @@ source(most_likely)
 # $$
 #
 # With a large $\beta$ the policy stays with the reference. As $\beta$ goes to 0, it only follows the reward.
-
-# %%
-source(regularised_policy)
 
 # %% [markdown]
 # ## The experiment: a hundred comparisons
@@ -157,7 +149,7 @@ for penalty in (30.0, 3.0, 1.0):
 # | comparisons | 100 pairs of nights of the reference policy, $\tau = 1$ |
 # | learned reward | a table, prior 0.1 |
 # | policies | the best ones for $\beta$ from 30 to 0.1, and for $\beta = 0$; all returns are exact |
-# | repetitions | 100, each with other nights and other preferences (20 with 3 000 comparisons); bands are 95 % intervals |
+# | repetitions | 100, each with other nights and other preferences; bands are 95 % intervals |
 #
 # The x axis is how far the policy goes from the reference: the sum of $D$ over the steps of a night, on average. The thin black dashed line at the top is
 # the best gain over the reference that there is, 10.1. Learned and meant gains are on different scales, so look at where a line rises and falls, not at its height.
@@ -176,7 +168,7 @@ hundred = methods.followed()
 display(figures.gains({"100 comparisons": hundred}))
 meant = hundred.meant.mean(axis=1)
 print(f"meant gain: highest {meant.max():.2f}, at the end {meant[-1]:.2f}")
-print(f"fall from β = 0.5 to β = 0: {hundred.fall().mean():.2f}")
+print(f"fall from β = 0.5, where the gain is highest, to β = 0: {hundred.fall().mean():.2f}")
 further.measured("rises, and then falls" if meant.max() - meant[-1] > 0.3 else "rises to the end")
 
 # %% [markdown]
@@ -206,8 +198,7 @@ sliders(one_setting, n_comparisons=[10, 30, 100, 300, 1000], noise=[1.0, 3.0, 10
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# The fall from the highest point was 0.6 to 1.6 with up to 300 comparisons, and 0.2 with 1 000 (other cells print the fall
-# from $\beta = 0.5$ on). A weaker prior was worse, a stronger one better. With $\tau = 3$ it fell more; with $\tau = 10$
+# The fall was about 1 with up to 300 comparisons, and 0.2 with 1 000. A weaker prior was worse, a stronger one better. With $\tau = 3$ it fell more; with $\tau = 10$
 # and 100 comparisons the clock became worse than the factory's, while the learned return rose as ever.
 # </details>
 
@@ -222,7 +213,7 @@ thousands = methods.followed(n_comparisons=3000, repetitions=20)
 figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, second=True)
 
 # %% [markdown]
-# Learned returns have a scale of their own: the prior shrinks them, and so does what the aside below says. So do not compare heights with the meant line; compare the first learned reward with the
+# Compare the first learned reward with the
 # *second* one: both were learned in the same way, and each is as good as the other. On the left they disagree more and more. In
 # the end the second promises half as much for these policies, and it *falls*, as the meant reward does. So the first reward
 # is too high in just those places where its policy goes. That is no accident: each learned reward has errors, some too high
@@ -230,10 +221,9 @@ figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, secon
 # maximum: the maximisation bias of Sutton and Barto, section 6.7. There a second table is one remedy.)
 #
 # The reference matters, too: ours was made from the best clock. With the same rewards and a penalty for leaving *random
-# buttons* the first reward overpromises just as much, and the meant return rises to the end, but only to where ours falls
-# to (100 runs).
+# buttons* the meant return rises to the end. (There, $\beta = 0$, both references give the same policy.)
 #
-# On the right there are 3 000 comparisons. The errors are small, both rewards agree, and the meant return rises nearly to the end. (Both
+# On the right there are 3 000 comparisons, in 20 repetitions. The errors are small, both rewards agree, and the meant return rises nearly to the end. (Both
 # promise only half of what is meant: an aside says why.)
 
 # %% [markdown] tags=["aside"]
@@ -241,8 +231,8 @@ figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, secon
 # The luck of a step shows in the state that comes next, which has a reward of its own in the table. But after the last step
 # none comes: whether she is awake at 8:30 looks like noise. And rewards are learned in units of the noise, so more of it makes all of them smaller.
 #
-# We test this with two teachers. For one, only the last step has no luck: it brings what it brings *on average*. For the other, all steps but the last are so. If the reason is right, the answers of the first
-# promise the best clock about its whole gain of 10.1, and those of the second do not:
+# We test this with two teachers. For one, only the last step has no luck: it brings what it brings *on average*. For the other, all steps but the last are so. If the reason is right, rewards learned from the first
+# promise a gain of about 10.1 for the best clock, and those from the second do not:
 
 # %%
 on_average = (model.probabilities * model.rewards).sum(axis=2, keepdims=True)
@@ -280,8 +270,7 @@ never_wrong.measured(never_wrong.options[0 if share < 0.25 else 1 if share < 0.6
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** About as large. A hundred answers, all of them right, still say little about a table of 66 numbers (22 states, three actions). What a
-# comparison says is which night was better *as a whole*, and not which of its steps made it so. Errors of the teacher make
+# **Measured.** About as large. A hundred answers, all of them right, still say little about a table of 66 numbers (22 states, three actions). Errors of the teacher make
 # the fall larger, if there are many (the sliders show $\tau = 10$); but without any the return still falls.
 # </details>
 
@@ -292,7 +281,7 @@ never_wrong.measured(never_wrong.options[0 if share < 0.25 else 1 if share < 0.6
 # any other.
 #
 # **Predict.** The rewards are learned from a hundred pairs of random nights, and followed with the same penalties for leaving the
-# factory's clock.
+# factory's clock. Is the clock better or worse with $\beta = 0.5$?
 
 # %%
 everywhere = predict(
@@ -318,8 +307,7 @@ everywhere.measured(everywhere.options[2 if random.fall().mean() > 0.3 else 1 if
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It falls, and the clock is worse. So rare *actions* are not all of it. Rare *states* may be a part: in random
-# nights she is seldom fast asleep at eight, and in the nights of a good clock she is. Such nights say something about
-# everything, and little about the nights that matter.
+# nights she is seldom fast asleep at eight, and in the nights of a good clock she is.
 # </details>
 
 # %% [markdown]
@@ -343,8 +331,7 @@ in_rounds.measured(rounds.at(methods.MODEST).mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** About 9.1: the same number of answers, asked where the clock is now, is worth 0.8 more. The fall is
-# smaller and not gone. So four things helped here: a stronger prior (with 10 the fall from the highest point was some 0.15, with the same answers), more comparisons,
-# comparisons of what the policy does now, and a penalty for leaving a good reference. And a second reward, for which other answers must be paid, shows the fall in the mean over the runs (for a single clock it is a weak sign).
+# smaller and not gone.
 # </details>
 
 # %% [markdown]
@@ -463,12 +450,12 @@ check(exercise_3, with_penalty, seed=1, quiet=True)
 # - A night has no discount: what comes late counts in full. It ends with `terminated`, after the last action.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
-# How you learn from her answers is up to you, but each time, depth *and* action may be worth something else; the check sees only what your clock is worth. Her answers are few, so one pass over them is rarely enough (the solution makes 500, with a step of 0.02 for the sum over all comparisons).
+# How you learn from her answers is up to you, but each combination of time, depth and action may be worth something else; the check sees only what your clock is worth. Her answers are few, so one pass over them is rarely enough (the solution makes 500, with a step of 0.02 for the sum over all comparisons).
 #
 # The check works out exactly what your policy is worth to the teacher, for five seeds. The middle one should be worth 4.3 or more; planning on rewards from random nights gives 8.1, and random buttons are worth much less than 0. Then it lets three *other* teachers answer, who want something
 # else, and two more whose sleepers sleep otherwise (in one of these a night may begin in two ways). Only their answers tell what, so a clock that you wrote by hand will not please them. Your program runs some 26 times in all. So count the steps of a night in an
 # array, once; with a loop over the steps in each pass the check takes minutes.
-# <details><summary>A plan</summary>Play pairs of random nights, and ask. Write a table of rewards, and make many gradient steps of exercise 2.
+# <details><summary>A plan</summary>Play pairs of random nights (there is no factory's clock here), and ask. Write a table of rewards, and make many gradient steps of exercise 2.
 # Then learn a policy by Q-learning, with your rewards in the place of those of the environment.</details>
 
 # %% tags=["project"]
@@ -540,12 +527,12 @@ check(project_14, my_program)
 # - Followed too far, the learned return still rises and the meant one falls.
 # - A teacher who is never wrong did not cure it, nor did nights in which every action is tried as often. Thirty times as many comparisons did.
 # - A second reward, learned from other comparisons, saw the fall on average. The first one could not.
-# - The same number of comparisons, asked in rounds about what the policy does now, made a better clock. So did a stronger prior.
+# - The same number of comparisons, asked in rounds about what the policy does now, made a better clock. A stronger prior made the fall smaller ("Your turn").
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A teacher who compares two pieces of behaviour tells which has the higher
 # return, with noise. The rewards that make her answers most likely are a model of what she wants, with errors. A policy that
-# maximises such a reward looks for the places where it is too high. So I follow it only as far as it can be trusted: with a
+# maximises such a reward looks for the places where it is too high. So I follow it with a
 # penalty for leaving a policy that I know to be good, and with new comparisons of what the policy does now.
 #
 # ### Limits
@@ -557,7 +544,7 @@ check(project_14, my_program)
 #
 # ### Further reading
 # - Christiano, Leike, Brown, Martic, Legg and Amodei (2017), *Deep reinforcement learning from human preferences*.
-# - Gao, Schulman and Hilton (2023), *Scaling laws for reward model overoptimization*: the same curves for language models.
+# - Gao, Schulman and Hilton (2023), *Scaling laws for reward model overoptimization*: such curves for language models.
 # - Bradley and Terry (1952), *Rank analysis of incomplete block designs*.
 # - Levine (2018), *Reinforcement learning and control as probabilistic inference*: where the soft maximum comes from.
 # - Rafailov, Sharma, Mitchell, Ermon, Manning and Finn (2023), *Direct preference optimization*: the policy with a penalty, read backwards.

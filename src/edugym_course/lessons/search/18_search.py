@@ -81,13 +81,14 @@ for action, name in enumerate(shop.action_names):
 #    $Q(\text{node}, A) \leftarrow Q(\text{node}, A) + \left[ G - Q(\text{node}, A) \right] / N(\text{node}, A)$.
 #
 # In the end take the action with the highest $Q$ in the root, and throw the tree away. (UCT is short for *upper confidence bounds applied to trees*. In the code `OUTSIDE` means: not in the tree. The code counts an action
-# when it is selected, which comes to the same as in step 4. Where the model was never told of an action, the simulation ends; here it knows all.)
+# when it is selected, which comes to the same as in step 4.)
 
 # %%
 source(UCT, "simulate", "select", "roll_out", "back_up")
 
 # %% [markdown]
-# (`select` gives the values and counts of the node to `choose` of `UCB`: that is the formula of step 1, as in lesson 0b.)
+# (`select` gives the values and counts of the node to `choose` of `UCB`: that is the formula of step 1, as in lesson 0b. Where the model was never told of an
+# action, the simulation ends; here it knows all.)
 
 # %% [markdown]
 # ## The experiment: more simulations
@@ -96,7 +97,7 @@ source(UCT, "simulate", "select", "roll_out", "back_up")
 # |---|---|
 # | simulations before each step | 30 to 3000, each of at most $d = 20$ steps |
 # | constant, discount | $c = 10$, $\gamma = 0.95$ (returns are shown without a discount) |
-# | plain roll-outs | the same, but the tree has no node besides the root: only the first action is chosen |
+# | plain roll-outs | the same, but the tree has no node besides the root: only the first action is chosen, by its bound |
 # | episodes | 30 for each point; bands are 95 % intervals |
 #
 # **Predict.** Take plain roll-outs with 3000 simulations before each step instead of 300. They now get ...
@@ -120,7 +121,7 @@ more.measured(more.options[0 if change > 3 else 2 if change < -3 else 1])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Less. With more roll-outs each value comes closer to its mean, the value of *random play* after the first step. That is the
-# wrong value to know exactly. The best action by these values gets 59 (dotted line, computed exactly): it leaves with one item. With 300 simulations the values still have errors, and here these help: 68.
+# wrong value to know exactly. The best action by these values gets 59 (dotted line, computed exactly): it leaves with one item (with two it would get 78). With 300 simulations the values still have errors, and here these help: 68.
 # UCT need not stop there: where it comes often, its tree also chooses later actions. It gets 81 with 1000 simulations, but no more with 3000. The exact
 # look-ahead of 20 steps gets 95.
 # </details>
@@ -142,7 +143,7 @@ sliders(one_setting, depth=[5, 10, 20], c=[0.0, 1.0, 10.0, 100.0])
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# With a depth of 5 both often see neither item nor exit, and then all actions look alike. With 20 steps, 1000 simulations and $c = 10$ the tree gains clearly. Most other gaps between the two curves are within the luck of 20 episodes.
+# With a depth of 5 both often see neither item nor exit, and then all actions look alike. With 20 steps, 1000 simulations and $c = 10$ the tree gains clearly.
 # With 20 steps and $c = 0$ both stay with what looked good first, and get much less. With $c = 100$ the tree gets about what plain roll-outs get.
 # </details>
 
@@ -167,7 +168,7 @@ for contact in (1.0, 0.5):
 
 # %%
 agent = methods.searcher(model)
-agent.greedy(start, np.random.default_rng(1))
+agent.greedy(start, np.random.default_rng(0))
 for action, name in enumerate(shop.action_names):
     print(f"{name:5}  N = {agent.tree.counts[0, action]:3}   Q = {agent.tree.values[0, action]:6.2f}")
 
@@ -186,7 +187,7 @@ def one_search(simulations=1000):
 sliders(one_search, simulations=[30, 100, 300, 1000, 3000])
 
 # %% [markdown]
-# With $c = 1$ the tree grows deep where it once was good. With $c = 100$ it grows wide, and stays near the entrance. With $c = 10$ this search needed 3000 simulations to get far (with most other random numbers these are too few). Grey cells have no node, and neither have white cells with an item or the exit; very light cells have few.
+# With $c = 1$ the tree grows deep where it once was good. With $c = 100$ it grows wide, and stays near the entrance. With $c = 10$ this search needed 3000 simulations to get far. Grey cells have no node, and neither have white cells with an item or the exit; very light cells have few.
 
 # %% [markdown]
 # ### What could hold UCT back?
@@ -206,11 +207,10 @@ highest = methods.told("well", highest=True, repetitions=20).mean()
 print(f"told the value of good play, c = 10: {highest:.0f} if a value is the highest return, and not the mean")
 
 # %% [markdown]
-# Told the value of good play, UCT gets 78 with $c = 10$, and 95 with $c = 1$; with roll-outs and $c = 1$ it gets 63.
+# Better judges alone: 78. A smaller $c$ alone: 63. Both: 95. So it takes both.
 #
-# - Why 78 here? A value in the tree is the mean over all tries, the poor ones too: if it is the *highest* return of these tries, UCT gets 95. More simulations are no cure: 10 000 get 78, too.
-# - With roll-outs the highest return makes it worse: 53 at best, for three values of $c$ (60 runs each). So this does not tell what keeps UCT near 80 there.
-# - Told the value of random play, it gets 59, as plain roll-outs do in the long run. So here even the errors of the roll-outs help.
+# - Why 78 with good judges and $c = 10$? A value in the tree is the mean over all tries, the poor ones too: if it is the *highest* return of these tries, UCT gets 95. Ten times as many simulations are no cure here: 78, too.
+# - Told the value of random play, it gets 59, as plain roll-outs do in the long run.
 
 # %% [markdown]
 # ## Predict, then check
@@ -240,7 +240,7 @@ crowded.measured(crowds[16].mean())
 #
 # **Measured.** −32. Most episodes end without the exit, cut off after 100 steps (three items then come to 75 − 100 = −25). Is the tree to blame, which has 16 branches at each node now? Or
 # the roll-outs, in which 15 of 20 steps stand still? It takes both: with the twelve actions only in the tree UCT gets 52, and with them only in the roll-outs 63. If the twelve
-# *repeat* the four directions instead, UCT gets 67. (The same with a discount of 0.9. With 30 steps the harm is smaller: UCT still gets about 14, and 53 and 77 with one of the two.) This may be one reason why programs that play well seldom roll out at random: they
+# *repeat* the four directions instead, UCT gets 67. This may be one reason why programs that play well seldom roll out at random: they
 # use a policy or a value that was learned.
 # </details>
 
@@ -265,8 +265,8 @@ short.measured(short.options[0 if plain[3000] > plain[300] + 3 else 2 if plain[3
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** More. So the direction depends on what the values come to. Even with the right model the *shorter* look was the better
-# one for many plain roll-outs: 78 against 59. Where random play is all that they see, a deeper look is better only up to 8 to 10 steps.
+# **Measured.** More. So the direction depends on what the values come to. Even with the right model the *shorter* look is the better
+# one for very many plain roll-outs: 78 against 59. Where random play is all that they see, a deeper look is better only up to 8 to 10 steps.
 # </details>
 
 # %% [markdown]
@@ -288,6 +288,10 @@ for name, door in (("right map", None), ("old map", methods.DOOR), ("a useless d
     shallow, far = plans.in_the_shop(door, (8, 20))
     print(f"{name:15} 8 steps: {shallow:3.0f}   20 steps: {far:3.0f}")
 print(f"old map, mended on the way:     20 steps: {plans.mending(20):3.0f}")
+searching = [methods.searched(door=door, repetitions=20).mean() for door in (None, methods.DOOR)]
+print(f"UCT with 1000 simulations: {searching[0]:.0f} on the right map, {searching[1]:.0f} on the old one")
+certain = methods.told("well", door=methods.DOOR, repetitions=20)
+print(f"UCT on the old map, if it knows what each place is worth there: {certain.mean():.0f}")
 _, worth = plans.in_the_shop(methods.DOOR, (8, 20))
 deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth > 55 else 3])
 
@@ -295,30 +299,28 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
-# the same plan each time. With 8 steps the door changes no value on the way: it is no short cut to anything within so few steps. (In the figure 2 to 5 steps get less on the old map, and 6 and 7 steps happen to get more; 8 to 10 get 59 on both maps, and 12 get −50.) On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
-# where it is of no use, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9 (78 on the right map, −50 on the old one), and with a door in the two other cells of that wall. It depends on where the door is: in other cells it can be harmless, or harm both.
+# the same plan each time. With 8 steps the door changes no value on the way. On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
+# where it is of no use, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9, and with a door in the two other cells of that wall. In other cells a door can be harmless, or harm both depths.
+#
+# UCT loses on the old map, too, though less. Told what each place is worth there, it gets −50, as the exact look-ahead does.
 #
 # The right panel shows soccer (lesson 13). We think that the opponent moves at random; in truth it always runs towards the goal in which it scores. Three steps of look-ahead
 # gain 0.5 a game, and four or more gain nothing. (In a model that knows the opponent, three steps gain 0.5 too, and four or more gain 1.)
 # </details>
 
 # %% [markdown]
-# Not every wrong model is like that. Let all rewards of the model have errors, with a standard deviation of 1:
+# Not every wrong model is like that. Let all rewards of the model have errors, with a standard deviation of 1. ("No step seems to pay": what costs in truth costs at
+# least a little in the model, too.)
 
 # %%
 for name, pay in (("a step may seem to pay", True), ("no step seems to pay", False)):
     short, long = np.array([plans.with_errors(k, (8, 20), steps_pay=pay) for k in range(1, 301)]).T
     for steps, got in ((8, short), (20, long)):
         print(f"{name:23} {steps:2} steps get {got.mean():3.0f}, and -100 in {(got == -100).sum():2} of 300 models")
-searching = [methods.searched(door=door, repetitions=20).mean() for door in (None, methods.DOOR)]
-print(f"UCT with 1000 simulations: {searching[0]:.0f} on the right map, {searching[1]:.0f} on the old one")
-certain = methods.told("well", door=methods.DOOR, repetitions=20)
-print(f"UCT on the old map, if it knows what each place is worth there: {certain.mean():.0f}")
 
 # %% [markdown]
 # There the deeper look is the better one, and the *short* one suffers more: it gets 13 instead of 59, and the deeper one 79 instead of 95. Where an error makes
-# a step seem to pay, the short look takes such steps until the episode is cut off: so it gets −100 in 79 of 300 models. If what costs in truth costs at least a little in the model, too, it gets −100 in only 13 of them, and 48 on average.
-# And UCT, too, loses on the old map, though less than the exact look-ahead. It loses less because its roll-outs are random: told what each place is worth on the old map, it gets −50, as the exact look-ahead does.
+# a step seem to pay, the short look takes such steps until the episode is cut off: so it gets −100 in 79 of 300 models. Where no step seems to pay, it gets −100 in only 13 of them, and 48 on average.
 #
 # ### What does it cost?
 # With 1000 simulations of up to 20 steps, UCT takes up to 20 000 steps of the model before *each* step of its own. And it learns nothing: in the next episode it begins again.
@@ -359,7 +361,7 @@ from edugym_course.lessons.search.exercises import exercise_1, exercise_2, exerc
 # %% [markdown]
 # ### Exercise 1: the upper bound
 # Return the number by which UCT selects an action: `q` is its mean return in this node, `n_action` how often it was tried there, `n_node` how many choices the
-# node has seen (it may be 0). What was never tried comes before everything else: its bound is infinite.
+# node has seen, $N(\text{node})$; put it in as it is. (It is 0 only where nothing was tried.) What was never tried comes before everything else: its bound is infinite.
 #
 # <details><summary>Hint</summary><code>float("inf")</code> is larger than every number.</details>
 
@@ -534,6 +536,6 @@ check(project_18, my_program)
 # ### Further reading
 # - Kocsis and Szepesvári (2006), *Bandit based Monte-Carlo planning*: UCT.
 # - Browne et al. (2012), *A survey of Monte Carlo tree search methods*.
-# - Jiang, Kulesza, Singh and Lewis (2015), *The dependence of effective planning horizon on model accuracy*: with a model that was learned from little, a shorter horizon is better.
+# - Jiang, Kulesza, Singh and Lewis (2015), *The dependence of effective planning horizon on model accuracy*: with a model that was learned from little, a shorter horizon can be better.
 # - Silver et al. (2018), *A general reinforcement learning algorithm that masters chess, shogi, and Go through self-play*; Schrittwieser et al. (2020), *Mastering Atari, Go, chess and shogi by planning with a learned model*.
 # - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 8.8 to 8.11 (planning at decision time, roll-outs, tree search), 16.6 (AlphaGo).

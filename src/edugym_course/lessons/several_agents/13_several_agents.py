@@ -5,7 +5,7 @@
 # changes while it learns. Can each learn as if it were alone?
 #
 # **You will be able to** compute exactly what a policy loses to the best opponent that there could be; say when learning
-# alone does harm, and when hardly any; write minimax Q-learning; and predict which of two pairs of players can be beaten.
+# alone does harm, and when hardly any; and write minimax Q-learning.
 #
 # **Time.** {time} **Before you start.** You should know Q-learning (Sutton and Barto,
 # 2nd edition, section 6.5) and value iteration (section 4.4). Game theory is not needed. All
@@ -111,7 +111,7 @@ for name, pair in {
 # ### What Q-learning takes for granted
 # Q-learning learns $Q(s, a)$, the return of an action in a world with *one* $p(s' \mid s, a)$. But this $p$ contains $\rho$. When the
 # other learns, $\rho$ changes, and what was learned about an action is out of date. And in the end Q-learning has a policy
-# *without chance*, one that takes a single action in each state: $\arg\max_a Q(s, a)$.
+# *without chance*, one that takes a single action in each state where it has learned: $\arg\max_a Q(s, a)$.
 #
 # ### Minimax Q-learning
 # Littman's player learns the value of each *pair* of actions, $Q(s, a, o)$: it sees what the other did. With these it looks at each state
@@ -146,9 +146,6 @@ source(games.MinimaxQ, "learn", "act")
 
 # %% [markdown]
 # `solve_state` solves the matrix game of one state, and writes the policy down. (`decay` lowers the learning rate a little after each step: `share[0]` is what is left.)
-#
-# There is an older idea, *fictitious play* (Brown, 1951): count how often the other has taken each action, and answer as if it drew from
-# these shares. Each answer is a single action, but *on average* the player mixes them. (In soccer it counts in each state, and learns $Q(s, a, o)$.)
 
 # %% [markdown]
 # ## The experiment: two who learn
@@ -181,48 +178,51 @@ in_the_end.measured(str(round(games.exploitability(model, run.policies[-1]))))
 
 # %% [markdown]
 # ### Soccer
-# Now all three kinds of players, each against one of its kind:
+# Now both kinds of players, each against one of its kind:
 #
 # | setting | value |
 # |---|---|
 # | all | $\gamma = 0.9$, $\varepsilon = 0.2$, first values of 1 |
-# | learning rate | from 1 to 0.01, as Littman's, for Q-learning and minimax Q; 0.1 for fictitious play |
+# | learning rate | from 1 to 0.01, as Littman's |
 # | training | 1 000 000 steps, 55 000 to 67 000 games |
-# | exploitability | computed exactly from what they have learned, six times; of fictitious play from its average play with its random actions (safe policies with as many random actions have 0.19) |
+# | exploitability | computed exactly from what they have learned, six times, without the random actions |
 # | repetitions | 3 here, 5 in the full experiment; bands are 95 % intervals |
 #
 # The dotted line is an equilibrium. Random players have an exploitability of 0.55.
 #
-# **Predict.** Who comes close to an equilibrium, below 0.1?
+# **Predict.** Which pair comes close to an equilibrium, below 0.1?
 
 # %%
 who = predict(
     "After a million steps, below 0.1 are ...",
-    ["none of the three", "minimax Q-learning only", "all but Q-learning", "all three"],
+    ["none of them", "Q-learning only", "minimax Q-learning only", "both"],
 )
 who
 
 # %%
 field = methods.soccer()
-learned = methods.compare(field, methods.LEARNERS, 1_000_000, repetitions=3)
+learned = methods.compare(field, methods.BOTH, 1_000_000, repetitions=3)
 display(figures.learning({"soccer": learned}))
 ends = {method: learned.final(method).mean() for method in learned.methods}
 earned = {method: learned.late(method, 3, "training_return").mean() for method in learned.methods}
 for method in learned.methods:
     print(f"{method:24} exploitability {ends[method]:.2f}, return while it learns {earned[method]:5.2f}")
 close = tuple(method for method, end in ends.items() if end < 0.1)
-options = {(): 0, ("minimax Q-learning",): 1, ("minimax Q-learning", "fictitious play"): 2}
+options = {(): 0, ("Q-learning, each alone",): 1, ("minimax Q-learning",): 2}
 who.measured(who.options[options.get(close, 3)])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Minimax Q-learning only. The Q-learners differ widely from run to run, and the average of fictitious play
-# comes down slowly. (It is known to reach the equilibrium of zero-sum games of one move, but not, in this form,
-# of games of many steps.)
+# **Measured.** Minimax Q-learning only. The Q-learners differ widely from run to run.
 #
-# The returns are about 0 for all: both of a pair are equally good. Who judges these players by their learning curves
-# sees no difference. Only a *stranger* finds out who is not safe.
+# The returns are about 0 for both: each player wins about as much from its partner as it loses. Who judges these
+# players by their learning curves sees no difference. Only the best opponent finds out who is not safe.
+#
+# *An older idea, fictitious play* (Brown, 1951): count how often the other has taken each action, and answer as if it
+# drew from these shares. Each answer is a single action, but on average the player mixes them. It is known to reach the
+# equilibrium of zero-sum games of one move, but not, in this form, of games of many steps. `methods.LEARNERS` has it,
+# too.
 # </details>
 
 # %% [markdown]
@@ -237,7 +237,7 @@ who.measured(who.options[options.get(close, 3)])
 # | **talk** | $T$, 0 | 1, 1 |
 #
 # This game is not zero-sum: both can win, and both can lose. Let two Q-learners play it, ten pairs for 1 000 games. Where does the
-# exploitability go, and what do they end up doing? Begin with a temptation of 5; go down to 2.
+# exploitability go, and what do they end up doing? Begin with a temptation of 5. Then try 2, where it is no longer a dilemma.
 
 
 # %%
@@ -252,10 +252,9 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 # <details><summary>What came out</summary>
 #
 # Above 3 talking is better *whatever the other does*. So it does not matter that the other learns: with a learning rate
-# of 0.1 and $\varepsilon = 0.1$ both end up talking, and the exploitability comes to 0 (up to 4 that may take longer;
-# without exploration some pairs stay silent; with a learning rate of 0.4 or more many pairs change their minds now and
-# then). So, above 3, learning alone is harmless, but not good: both get 1, and could have 3. An equilibrium says that
-# nobody gains *alone*, and no more.
+# of 0.1 and $\varepsilon = 0.1$ both end up talking, and the exploitability comes to 0 (up to 4 that may take longer).
+# So, above 3, learning alone is harmless, but not good: both get 1, and could have 3. An equilibrium says that nobody
+# gains *alone*, and no more.
 #
 # At 3 and below there are two equilibria without chance, both silent and both talking, and with $\varepsilon = 0.1$ it
 # depends on the first games which of them a pair finds: with a temptation of 2, all of 60 pairs did in the end what they
@@ -265,7 +264,7 @@ sliders(dilemma, temptation=(1.0, 8.0, 0.5), learning_rate=(0.05, 1.0, 0.05), ep
 
 # %% [markdown]
 # ### Soccer with other rules
-# With `contact` 0 who has the ball runs through the other, and the other does not matter at all.
+# With `contact` 0 who has the ball runs through the other. What does that change? And what if the future counts less?
 
 
 # %%
@@ -279,8 +278,7 @@ sliders(one_match, contact=[0.0, 0.5, 1.0], discount=(0.5, 0.95, 0.05))
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# Without contact both kinds were at 0 at their first measurement after the start: the best action is the same whatever the other does, as in the prisoner's dilemma. With it, minimax Q-learning was below Q-learning in the end. Where the future counts less (try 0.6), less can be won from the Q-learners:
-# 0.03 in the mean of three runs, and 0.11 from random play.
+# Without contact both kinds were at 0 at their first measurement after the start: the best action is the same whatever the other does, as in the prisoner's dilemma. With it, minimax Q-learning was below Q-learning in the end. Where the future counts less (try 0.6), less can be won, and from random play, too.
 # </details>
 
 # %% [markdown]
@@ -299,17 +297,8 @@ for name, run in {"both learn": both_learn, "player 1 never learns": one_learns}
     print(f"{name}: in the second half {methods.changes(run):.1f} changes in 1 000 games")
 
 # %% [markdown]
-# Look at the left. Where both play paper, both learn that scissors win. Soon both play scissors, and learn that rock wins. This goes on for ever: each step of one makes
+# Look at the left. Where both play paper, both learn that scissors win. Soon both play scissors, and learn that rock wins. So it goes on: each step of one makes
 # the other's answer wrong. On the right the world stands still, and the learner comes to rest.
-#
-# The same from within: what do two Q-learners in matching pennies believe? Player 0 wants the same side of the coin as player 1, and player 1 the other side.
-
-# %%
-figures.cycle()
-
-# %% [markdown]
-# Right of the vertical line player 0 shows heads, and above the horizontal line player 1 does. Where the lines cross both sides look equally good to both, as in the
-# equilibrium. The learners run round it, and never stay.
 #
 # ### Where a policy without chance is weak
 # Take the policy of a Q-learner in soccer. Of the states in which it has the ball and a random choice is needed, this is where it falls
@@ -318,7 +307,7 @@ figures.cycle()
 # %%
 alone = games.learned_policy(soccer, 0, learned.agents["Q-learning, each alone"][0][0])
 state, possible, guaranteed = methods.weakest_state(alone)
-print(f"a safe policy guarantees {possible:.2f} here, the Q-learner {guaranteed:.2f}")
+print(f"a safe policy guarantees {possible:.2f} from here on, the Q-learner's {guaranteed:.2f}")
 seen = soccer.observation(state, 0, None)
 for action, safe, own in zip(soccer.action_names, methods.solution().policies[0][seen], alone[seen], strict=True):
     print(f"{action:6} safe policy {safe:4.0%}   Q-learner {own:4.0%}")
@@ -326,8 +315,8 @@ soccer.scene(state)
 
 # %% [markdown]
 # (Blue is in the top row: to go north is to stand still.) An opponent who knows what blue will do goes there, and takes the ball or stands in the way. A safe policy leaves it to chance where one
-# way alone can be blocked. In 56 of the 760 states every single action guarantees less than a random choice. And this is a game against the best answer to the same
-# Q-learner (blue):
+# way alone can be blocked, here and later. In 56 of the 760 states every single action guarantees less than a random choice. And this is a game against the best answer to the same
+# Q-learner (blue, the stronger of its pair):
 
 # %%
 challenger = methods.best_answer(field, 0, alone)
@@ -340,7 +329,7 @@ frames(games.against(soccer, 1, alone), games.FixedPlayer.create(soccer, 1, chal
 #
 # ### Is it that a random choice is needed?
 # Let us take away that some states need a random choice. In *soccer in turns* the players move one after the
-# other, as in chess. So whoever moves has seen what the other did. The other still learns, and it still takes the ball by contact: who plays as if there were no contact has an exploitability of 0.38, and random play 0.37.
+# other, as in chess. So whoever moves has seen what the other did. The other still learns, and it still takes the ball by contact: who ignores that is as exploitable as random play (0.38 and 0.37).
 #
 # **Predict.** Two Q-learners play soccer in turns for a million steps. Their exploitability in the end is ...
 
@@ -359,25 +348,21 @@ control = methods.compare(turns, methods.IN_TURNS, 1_000_000, repetitions=3)
 display(figures.learning({"soccer in turns": control}))
 ends = {method: control.final(method).mean() for method in control.methods}
 print("in the end:", ", ".join(f"{method} {end:.2f}" for method, end in ends.items()))
-for name, maker, discount in (
-    ("Q-learning, γ = √0.9", methods.independent, 0.9**0.5),
-    ("minimax Q-learning, α = 1", methods.minimax_without_decay, 0.9),
-):
-    others = methods.compare(turns, {name: maker}, 1_000_000, discount=discount, repetitions=8)
-    print(f"{name}: {others.final(name).mean():.2f}")
+patient = methods.compare(turns, {"γ = √0.9": methods.independent}, 1_000_000, discount=0.9**0.5, repetitions=8)
+print(f"Q-learning, γ = √0.9: {patient.final('γ = √0.9').mean():.2f}")
 end = ends["Q-learning, each alone"]
 in_turns.measured(in_turns.options[0 if end < 0.1 else 1 if end < 0.2 else 2])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Less than 0.1. Both learn, the world changes for each of them, and
+# **Measured.** Less than 0.1 on average. Both learn, the world changes for each of them, and
 # the other matters. But in every state one action by itself is safe.
 # So learning as if alone is not wrong in itself. (A step is the move of one player here, so $\gamma = 0.9$ discounts a round twice; with $\sqrt{0.9}$ it is 0.09, and random play has 0.58.)
 #
 # In the figure minimax Q-learning is still at 0.15 after a million steps. Why? It learns the value of each pair of actions, five times five in each state, and in turns only the five of one player count.
 # The green line tests this: here it is told whose turn it is, and learns from each step for all five actions of the one whose action does
-# not count. It comes to 0. With a learning rate that stays 1 minimax Q-learning comes to 0, too. So two things together slow it down here: it learns each of these values by itself, and its learning rate is small before it has learned them.
+# not count. It comes to 0.
 # </details>
 
 # %% [markdown]
@@ -396,17 +381,17 @@ for pair in learned.agents["Q-learning, each alone"].values():
     )
 
 # %% [markdown]
-# Where they are safe everywhere else, 0.16 can still be won from each pair, in the 56 states: there a single action is never enough. From one pair hardly
-# more can be won; from the two others more can, where a single action would be safe and theirs is not.
+# Where they are safe everywhere else, 0.16 can still be won from each pair, in the 56 states: there a single action is never enough. Safe choices in these states alone
+# help one pair, and hardly the two others: these lose more where a single action would be safe and theirs is not.
 #
 # ### Is it that the other learns?
-# Two things are wrong for a Q-learner: its world moves, and its policy is without chance. Which of them makes it weak in soccer? Let us take the
-# first away. Player 1 plays a safe policy, and never learns. So player 0 is in an MDP that stands still.
+# Two things are wrong for a Q-learner: its world moves, and its policy is without chance. Is it enough that the world stands still? Player 1 now plays a safe policy, and never learns.
+# So player 0 is in an MDP.
 #
 # **Predict.** After a million steps against this safe teacher, what does the best opponent win from the Q-learner? (From random play it wins 0.55.)
 
 # %%
-pupil = predict("The best opponent wins ... from it", ["about 0", "about 0.1", "more than 0.3"])
+pupil = predict("The best opponent wins ... from it", ["less than 0.05", "0.05 to 0.3", "more than 0.3"])
 pupil
 
 # %%
@@ -429,7 +414,7 @@ pupil.measured(pupil.options[0 if end < 0.05 else 1 if end < 0.3 else 2])
 #
 # **Measured.** More than 0.3: most of what this opponent wins from random play. Nobody can win from a safe teacher, and the pupil
 # loses hardly anything to it in these three runs. But in nearly half of the states it does not play a best answer, not
-# even to the teacher. In two thirds of these it has never been: all its values there are still 1, and it draws any
+# even to the teacher. In many of these it has never been: all its values there are still 1, and it draws any
 # action. With best answers to the teacher in all states it would still lose about 0.15 (the line printed last), since
 # such an answer need not be safe. So a world that stands still was not enough: a safe teacher does not make a safe pupil.
 # </details>
@@ -524,18 +509,18 @@ check(exercise_3, learn, seed=1, quiet=True)
 
 # %% [markdown]
 # ### From a blank file
-# Now write it all yourself, from an empty cell, with NumPy and `games.solve_zero_sum` only: minimax Q-learning, and a loop in which it plays both
+# Now write it all yourself, from an empty cell, with NumPy and `games.solve_zero_sum` only: minimax Q-learning, and a loop in which one `Q` plays both
 # sides: `value, rows, columns = games.solve_zero_sum(Q[state])` gives the value of the matrix game, the policy of the rows, and that of the columns. Some 30 lines.
 #
 # **What it must do.** `my_program(environment, n_steps, seed)` takes `n_steps` steps in a zero-sum game, episode after episode, and learns from each of
-# them. In the end it returns the policy of player 0: a function that takes a state and returns the probabilities of its actions. All else is up to you.
+# them. In the end it returns the policy of player 0: a function that takes a state and returns the probabilities of its actions.
 #
 # - The environment is a parallel environment as in [PettingZoo](https://pettingzoo.farama.org). Everything comes in dictionaries, by the names
 #   `"player_0"` and `"player_1"`: `seen, _ = environment.reset(seed=seed)`, and `seen, rewards, terminated, truncated, _ = environment.step({"player_0": a, "player_1": o})`.
 #   When an episode is over, terminated or truncated, `environment.agents` is empty, and `seen` still holds the last state for both. Only `terminated["player_0"]` means that nothing follows.
 # - `environment.observation_space("player_0").n` says how many states there are, and `environment.action_space("player_0").n` how many actions it has; `"player_1"` may have fewer.
 #   Both players see the same state. (`games.parallel_env(games.Soccer.create())` is one to try your program in.)
-# - Take $\gamma = 0.9$, a learning rate of 0.2, first values of 0, and one random action in five for each player, drawn for each of them. Player 0 draws its other actions from the policy of the rows, and player 1 from that of the columns.
+# - Take $\gamma = 0.9$, a learning rate of 0.2, first values of 0, and $\varepsilon = 0.2$, drawn separately for each player. Player 0 draws its other actions from the policy of the rows, and player 1 from that of the columns.
 # - Draw all random numbers from `np.random.default_rng(seed)`, and give the seed to the first `reset` alone.
 #
 # The check lets your program learn nine small games, one of them with chance in it, and computes exactly what the best opponent wins from your policy in each state. It accepts a policy from which this opponent wins at most 0.2 points more than from a safe one, in every state. It does not look
@@ -587,16 +572,16 @@ check(project_13, my_program)
 # ## What you saw
 #
 # - Against a player who never changes, a game is an MDP, so what can be won from a policy is computed exactly.
-# - Two Q-learners in rock-paper-scissors chased each other for ever, with an exploitability of 1 at any moment. Against a player who never learned
+# - Two Q-learners in rock-paper-scissors kept changing what they play, with an exploitability of 1 at any moment. Against a player who never learned
 #   one of them came to rest.
 # - In soccer minimax Q-learning came close to an equilibrium, and Q-learning did not. Their returns while they learned were the same.
 # - Where no random choice is needed, in the prisoner's dilemma and in soccer in turns, learning as if alone came close to an equilibrium. In soccer 0.16 was lost
-#   where only a random choice is safe.
+#   where only a random choice is safe, and by two pairs as much elsewhere.
 # - A safe opponent did not make the Q-learner safe.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* To an agent the others are a part of the world, and if they learn, this world moves. The best answer to what they do now is often no safe policy: it is without chance, and who knows it may beat it. Minimax Q-learning learns the values of pairs of actions, solves a matrix game in each
-# state, and so comes close to a policy that loses nothing to anybody. What a policy loses to its best opponent tells them apart; the returns against the partner in training do not.
+# state, and in soccer so comes close to a policy that loses nothing to anybody. What a policy loses to its best opponent tells them apart; the returns against the partner in training do not.
 #
 # ### Limits
 # Minimax Q-learning is for two players of whom one gets what the other loses. It needs to see the other's actions, and it solves a linear programme at every step. It is safe, and no more:
@@ -607,6 +592,6 @@ check(project_13, my_program)
 # - Littman (1994), *Markov games as a framework for multi-agent reinforcement learning*: minimax Q-learning, and this game. He let Q-learning train a challenger for each of
 #   his players, as we compute it: his Q-learners won none of their games against theirs, and minimax Q-learning 37.5 %.
 # - Shapley (1953), *Stochastic games*: value iteration with a matrix game in each state, with which the safe policies were found.
-# - Brown (1951), *Iterative solution of games by fictitious play*; Robinson (1951), *An iterative method of solving a game*: why its average works.
+# - Brown (1951), *Iterative solution of games by fictitious play*; Robinson (1951), *An iterative method of solving a game*: why the average of fictitious play works.
 # - Bowling and Veloso (2002), *Multiagent learning using a variable learning rate*: learners that come to rest in the same games.
 # - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 4.4 and 6.5.

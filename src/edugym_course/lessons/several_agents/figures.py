@@ -1,17 +1,16 @@
 """The figures of lesson 13."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import With, on_axes
+from edugym.experiments.figures.panel import With
 from edugym.experiments.figures.sheet import Sheet, in_pairs
-from edugym.experiments.figures.style import REFERENCE, dress, format_steps, stroke
+from edugym.experiments.figures.style import format_steps
 from edugym.experiments.results.tables import Results
-from edugym.mdp.protocol import Reals
 from edugym_course.lessons.several_agents import methods
 
 if TYPE_CHECKING:
@@ -53,34 +52,6 @@ def _in_steps(ax: "Axes") -> None:
     for line in ax.lines:
         line.set_drawstyle("steps-post")
     format_steps(ax)
-
-
-class Cycle(NamedTuple):
-    """What two players of matching pennies believe, step by step.
-
-    Attributes:
-        way: Q(heads) - Q(tails) of players 0 and 1: shape (n, 2).
-        title: the text above the axes.
-    """
-
-    way: Reals
-    title: str = "matching pennies"
-
-    @on_axes
-    def draw(self, ax: "Axes") -> None:
-        """Draw the way, with a dot at its end; where the dashed lines cross both sides look equally good to both."""
-        look = stroke(0)
-        ax.plot(self.way[:, 0], self.way[:, 1], color=look.color, linewidth=0.9, label="two Q-learners")
-        ax.plot(*self.way[-1], "o", color=look.color, markersize=5)
-        ax.axvline(0.0, **REFERENCE)
-        ax.axhline(0.0, **REFERENCE)
-        ax.set_aspect("equal")
-        dress(ax, "player 0: Q(heads) - Q(tails)", "player 1: Q(heads) - Q(tails)", self.title)
-
-
-def cycle(seed: int = 0) -> Sheet:
-    """Return the way of two Q-learners in matching pennies."""
-    return Sheet("cycle", [[Cycle(methods.beliefs(seed))]])
 
 
 def dilemma(temptation: float, learning_rate: float, epsilon: float, pairs: int = 10) -> Sheet:

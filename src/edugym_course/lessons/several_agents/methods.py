@@ -92,11 +92,6 @@ def minimax(game: Any, player: int, n_steps: int, discount: float = DISCOUNT, ep
     return MinimaxQ.create(game, player, decay=LEFT ** (1 / n_steps), discount=discount, epsilon=epsilon)
 
 
-def minimax_without_decay(game: Any, player: int, n_steps: int, discount: float = DISCOUNT) -> MinimaxQ:
-    """Return minimax Q-learning whose learning rate stays 1."""
-    return MinimaxQ.create(game, player, decay=1.0, discount=discount, epsilon=EPSILON)
-
-
 def fictitious(game: Any, player: int, n_steps: int, discount: float = DISCOUNT) -> FictitiousPlay:
     """Return a player who answers the average play of the other."""
     return FictitiousPlay.create(game, player, discount=discount, epsilon=EPSILON, initial_value=1.0)
@@ -343,17 +338,6 @@ def choosing(results: Results, action: int) -> Reals:
 def best_actions(run: Any) -> Any:
     """Return the best action of each player at each point of a run of matrix games: shape (n_points, 2)."""
     return np.array([[int(policy[0].argmax()) for policy in pair] for pair in run.policies])
-
-
-def beliefs(seed: int, *, n_points: int = 150, every: int = 10) -> Reals:
-    """Let two Q-learners play matching pennies, and return Q(heads) - Q(tails) of both: shape (n_points, 2)."""
-    game = MatchingPennies.create()
-    players = [QLearning.create(table_shape(game, player), learning_rate=SLOWLY) for player in (0, 1)]
-    found = np.zeros((n_points, 2))
-    for point in range(n_points):
-        train_players(game, players, every, evaluate_every=every, seed=n_points * seed + point)
-        found[point] = [player.Q[0, 0] - player.Q[0, 1] for player in players]
-    return found
 
 
 def against_each_other(name: str, *, learns: bool, seed: int, n_steps: int = N_CHANGES, every: int = EVERY) -> Any:

@@ -170,7 +170,7 @@ frames(
 #
 # To compute it, all we need is a table of $p(x, y)$. It depends on the variables $v_i$ that occur. We take a toy *in
 # perfect care*, which always gets what it wants. The code makes the table for messages of one word: `states_met` plays
-# some episodes and counts the states.
+# some episodes and counts the states. (Pass over `obeyed` and `kinds` for now.)
 #
 # For longer messages $y$ is how often each word occurs. (Given the state the words are drawn independently, so their order
 # tells nothing.) The second word tells in part what the first one told: two words carry less than twice the bits of one.
@@ -218,13 +218,11 @@ sliders(pictures.bits_axis, tau=(0.0, 0.2, 0.01))
 # |---|---|
 # | messages | one word out of four |
 # | agent | tabular Q-learning, $\alpha = 0.02$, $\gamma = 0.5$, $\varepsilon = 0.1$, all values start at 0, ties broken at random |
-# | training | 200 000 steps, 2 000 episodes |
+# | training | 200 000 steps |
 # | evaluation | the mean of 10 greedy episodes, every 10 000 steps |
 # | repetitions | 20; bands are 95 % intervals |
 #
-# (A rate of 0.3 ends lower: try it in "Your turn".) The
-# dashed line is the optimum, 6 707, computed by planning with the whole state. (Further down `methods.learn` makes the
-# call of this experiment, with other settings.)
+# The dashed line is the optimum, 6 707, computed by planning with the whole state.
 #
 # **Predict.** At which noise does Q-learning first get less than half of the optimum?
 
@@ -273,14 +271,13 @@ Sheet("answers", [panels[:2], panels[2:]])
 
 # %% [markdown]
 # At $\tau = 0$ and at 0.05 it does what the toy says, nearly always, and at 0.1 in more than eight steps of ten. So the
-# agent nearly obeys, and we know nothing better without memory. Most of what is lost is lost in the words, at least for a player
-# without memory.
+# agent nearly obeys, and we know nothing better without memory.
 
 # %% [markdown]
 # ## Your turn
 #
-# How much noise can Q-learning stand? Give the toy more words in a message ($L$), or a larger vocabulary ($H$). When
-# does that help, and when does it hurt? Then turn the knobs of the agent. With a smaller $\gamma$ it looks less far
+# How much noise can Q-learning stand? Give the toy a larger or a smaller vocabulary ($H$): what does that change? (More words
+# in a message, $L$, are the next question.) Then turn the knobs of the agent. With a smaller $\gamma$ it looks less far
 # ahead: does it need to? The yellow and the green line show the two players who know the words (with one word they are
 # the same player). (10 repetitions of 200 000 steps. With $H$ below 4 some words are *ambiguous*: they mean two
 # needs or more. The two players then always take the first meaning.)
@@ -314,7 +311,7 @@ sliders(
 # | $H = 8$; 3 | 2 980; −720 |
 #
 # It need not look ahead. Synonyms ($H = 8$) cost little or nothing in the end (further down an aside shows that they cost time), and
-# ambiguous words ($H = 3$) cost everything. What longer messages do is the next question.
+# ambiguous words ($H = 3$) cost everything.
 # </details>
 
 # %% [markdown]
@@ -329,7 +326,7 @@ sliders(
 # %%
 longer = predict(
     "After 200 000 steps with α = 0.02, four words instead of one give Q-learning ...",
-    ["a higher return", "a lower return", "the same return, up to 100"],
+    ["a higher return", "a lower return", "the same return, within 100"],
 )
 longer
 
@@ -348,7 +345,7 @@ for label, results in four.items():
 print(f"majority vote over four words: mean return {voted:.0f}")
 gain = methods.after(four["four words, α = 0.02"], 200_000).mean() - one_word.mean()
 longer.measured(
-    "the same return, up to 100" if abs(gain) < 100 else "a higher return" if gain > 0 else "a lower return"
+    "the same return, within 100" if abs(gain) < 100 else "a higher return" if gain > 0 else "a lower return"
 )
 
 # %% [markdown]
@@ -357,9 +354,7 @@ longer.measured(
 # **Measured.** A lower one, although the message tells nearly four times as much. The table has about 100 000 values,
 # so 200 000 steps are two tries for each *on average*, and a value that is tried twice with $\alpha = 0.02$ has gone only
 # 4 % of the way to its target. So a larger table needs a larger learning rate, or more time: with $\alpha = 0.2$ four
-# words are ahead of one already. In the end $\alpha = 0.05$ is best (a larger rate keeps
-# values noisy: lowered halfway, it ends higher). None gets as far as the vote, which knows what each word means, and that
-# neither the *order* of the words nor the hit points matter. With $\alpha = 0.02$ the hit points cost most: where they
+# words are ahead of one already. In the end $\alpha = 0.05$ is best. None gets as far as the vote, which knows what the words mean. With $\alpha = 0.02$ the hit points cost most: where they
 # are hidden, Q-learning gets 1 830 after 1 600 000 steps (8 runs), as much as the vote.
 # </details>
 
@@ -382,8 +377,7 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
     print(f"τ = {tau:4}, {length:2} words: {carried:.3f} bit, mean return of the vote {mean:.0f}")
 
 # %% [markdown]
-# - **Left.** With one word Q-learning makes nearly full use of it: its line lies nearly on that of obeying. At $\tau = 0.02$ half a
-#   bit brings nine tenths of the return.
+# - **Left.** With one word Q-learning makes nearly full use of it: its line lies nearly on that of obeying.
 # - **Right.** The vote turns longer messages into return: 28 words at $\tau = 0.1$ are worth nearly as much as one word at
 #   0.02. Whoever obeys the first word leaves the others unused.
 # - Two words carry nearly twice as much as one, and the vote gets nothing out of it. If they disagree it can only guess.
@@ -425,7 +419,7 @@ ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * methods.OPTIM
 #
 # **Measured.** No more than random actions. Each row has one greedy answer. At 100 hit points, where the toy begins, "play
 # or feed" is always answered with play, say. Then the toy is not fed, wants to be fed again, says "play or feed", and is
-# played with, until its hit points fall. With other hit points the answers are others, but fixed as well, and the toy soon
+# played with, until its hit points fall. With other hit points the answers may be others, but they are fixed as well, and the toy soon
 # dies. With a vocabulary of four words, and noise, the word is *sometimes* right about each need. Here it never tells the two needs of a word apart.
 #
 # Tossing a coin between the two meanings is better: each need is met now and then. Where the state is hidden and nothing
@@ -518,7 +512,7 @@ remembers
 # %%
 memory = {
     "with its last action": methods.learn_with_memory(repetitions=10),
-    "without": methods.learn(parameters={"vocab_size": 1}, repetitions=10),
+    "without": methods.learn_with_memory(actions=False, repetitions=10),
 }
 display(figures.memory_sheet(memory))
 counts = {label: int((methods.median_late(results) > 0.9 * methods.OPTIMUM).sum()) for label, results in memory.items()}
@@ -529,10 +523,9 @@ remembers.measured(counts["with its last action"])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** All ten with the last action, none without. It takes a while. Each run rises suddenly, but not
-# all at one time, so that their mean rises slowly. Without the last action all it sees is its hit points, and they do not
+# all at one time, so that their mean rises slowly. Without the last action all it sees is its hit points, now and one step ago, and they do not
 # say whose turn it is. (The bands are symmetrical, so they can reach above what is possible. Now and then a run loses
-# the cycle for a moment, as the panel on the right shows: one row with another greedy action breaks it. So we take the
-# median of each run.)
+# the cycle, as the panel on the right shows. So we take the median of each run.)
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -568,7 +561,7 @@ moods.measured("both get about the same" if abs(returns["in turn"] - returns["ob
 #
 # **Measured.** The noisy word gets more. Taking turns falls from 99 % of the optimum to about a tenth of it: a mood
 # changes the order of the needs, the player does not notice, and each wrong action costs all four. Obeying falls too,
-# from about 3 290 to 2 040. Who should win here is a player that uses both: that is exercise 3, and the challenge.
+# from about 3 290 to 2 040. Who should win here is a player that uses both: that is the challenge.
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -781,8 +774,8 @@ display(figures.race({"my listener": Listener.create}))
 #
 # The listener is above the vote at every length. The gain is largest in the middle: with four words it gets some 1 000
 # more. With one word its memory helps only when the word names what it has just done: then the word is probably wrong,
-# and it guesses among the other three. With 28 words the gain is small, since the message alone tells nearly enough. (On
-# this calm toy taking turns beats both. On the moody toy below it fails.)
+# and it guesses among the other three. With 28 words the gain is small. (On
+# this calm toy taking turns beats both. On the moody toy taking turns fails.)
 # </details>
 
 # %% [markdown]
@@ -794,7 +787,7 @@ display(figures.race({"my listener": Listener.create}))
 # can you come, with messages and memory together?
 #
 # Of the task your agent is told only its observation space and its action space. It needs `act(observation, rng)` and
-# `learn`, like yours of exercise 3; an agent without `tabular = False` sees the number of its row instead of the
+# `learn`, which asks by name for what it needs: `state` (the observation), `action`, `reward`, `next_state`, `terminated`, `truncated`. An agent without `tabular = False` sees the number of its row instead of the
 # words. It is tried ten times, with seeds that belong to your name. Everything is allowed that uses only what it sees,
 # its own actions, and the rewards that `learn` is given.
 #

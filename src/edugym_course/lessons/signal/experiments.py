@@ -81,7 +81,7 @@ def measure(how: SharedArguments) -> tuple[Any, ...]:
     memory = conditions(
         {
             "with its last action": learn_with_memory(**how("memory")),
-            "without": learn(parameters={"vocab_size": 1}, **how("no_memory")),
+            "without": learn_with_memory(actions=False, **how("no_memory")),
         }
     )
     meanings = {

@@ -70,12 +70,12 @@ def learn(
     return repeat(environment, {"Q-learning": make}, n_steps, **curve, **how)
 
 
-def learn_with_memory(vocab_size: int = 1, **how: Any) -> Results:
+def learn_with_memory(vocab_size: int = 1, *, actions: bool = True, **how: Any) -> Results:
     """Train Q-learning on a toy that always says the same word, with the last two observations and the action between.
 
-    All it can use is its hit points and its own last action. Arguments as in `learn`.
+    All it can use is its hit points and its own last action, if `actions`. Other arguments as in `learn`.
     """
-    return learn(environment=FrameStack.create(Tamagotchi.create(vocab_size=vocab_size), 2, actions=True), **how)
+    return learn(environment=FrameStack.create(Tamagotchi.create(vocab_size=vocab_size), 2, actions=actions), **how)
 
 
 def play(maker: Any, environment: Any = "Tamagotchi", **how: Any) -> Reals:

@@ -5,8 +5,8 @@
 # differ by chance, and decide how much risk it takes: is a good mean worth a bad day now and then?
 #
 # **You will be able to** say what Q-learning learns where results are random; change one line so that an agent avoids
-# risk or seeks it; compute what such an agent learns; find by hand, and then exactly, where a risk stops being worth
-# it; and say why "risk-seeking pays" can be measured and still be wrong.
+# risk or seeks it; compute what such an agent learns; and find by hand, and then exactly, where a risk stops being
+# worth it.
 #
 # **Time.** {time} **Before you start.** You should know what a value function and
 # Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), ε-greedy action selection (section 2.2), and
@@ -20,7 +20,6 @@ import gymnasium as gym
 import numpy as np
 
 from edugym import EpsilonGreedy, QLearning, RiskSensitiveQLearning, repeat, table_size
-from edugym.agents.tables import best_value, one_step_target
 from edugym.experiments.figures import Sheet
 from edugym_course.lessons.stochasticity import drive, exact, figures, methods
 from edugym_course.notebook import frames, play, predict, sliders, source
@@ -40,7 +39,7 @@ env.scene()
 
 # %% [markdown]
 # (The circle shows two standard deviations around the aim.) The flag is 13.5 cells from the tee, and the green has a
-# radius of 2.1 cells. As a Markov decision process: $s$ is the state, $a$ the action, $s'$ the next state.
+# radius of 2.1 cells. As a Markov decision process:
 #
 # | | | in words |
 # |---|---|---|
@@ -122,21 +121,17 @@ source(QLearning.learn)
 # | $\beta < 0$ | more than 1 | less than 1 | avoids risk: *averse* |
 # | $\beta = 0$ | 1 | 1 | is Q-learning: *neutral* |
 # | $\beta > 0$ | less than 1 | more than 1 | seeks risk: *seeking* |
+#
+# In the code $\beta$ is `self.risk`, and `one_step_target` is $R + \gamma \max_a Q(S', a)$, or $R$ after a terminal state.
 
 # %%
 source(RiskSensitiveQLearning.learn)
 
 # %%
-source(one_step_target)
-
-# %%
-source(best_value)
-
-# %%
 figures.weights_figure()
 
 # %% [markdown]
-# The weighted error on the right, times $\alpha$, is how far the value moves. ($\beta$ is `self.risk` in the code.) Look at
+# The weighted error on the right, times $\alpha$, is how far the value moves. Look at
 # the averse agent: a good surprise of 2 moves its value less than one of 0.6. It hardly believes in great luck.
 #
 # ### What does it learn?
@@ -231,10 +226,10 @@ highest.measured(seen)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Neutral and seeking are level, near 0.82, and the averse player earns about 0.06 less. What it gets for
-# that is in the other two panels: the averse player loses hardly a ball, the neutral one about 1 in 100, and the
+# **Measured.** Neutral and seeking are level, near 0.82, and the averse player earns about 0.06 less. The other two panels
+# differ more: the averse player loses hardly a ball, the neutral one about 1 in 100, and the
 # seeking one about 3 in 100; the spread grows from less than 0.05 to more than 0.3. So taking more risk than the
-# neutral player did not pay here. (With $\alpha = 0.1$ it does: all seeking runs drive first, and earn 0.06 more than neutral ones.)
+# neutral player did not pay here.
 #
 # *Seeking.* The order of the swings matters. Runs that drive first earn 0.86. But half of the runs chip first and
 # drive then, from closer to the far edge. They lose more than twice as many balls, and earn 0.78.
@@ -261,7 +256,7 @@ frames("Golf", results.agents[methods.SEEKING][0], seed=1, observe_hits=True)
 #
 # Move a slider and release it: the experiment is computed again, with 10 repetitions of 100 000 steps. The three players
 # have $-\beta$, 0 and $\beta$. At which level $\ell$ do all three play alike? What does a larger $\beta$ do to the two
-# outer players? And what does $\alpha = 1$ do to the seeking player?
+# outer players?
 
 
 # %%
@@ -292,22 +287,11 @@ sliders(
 # <details><summary>What was measured</summary>
 #
 # Up to about 0.0075 all three play alike. With $\beta = 5$ the averse player falls to 0.66, and the seeking player
-# gains nothing. With $\alpha = 1$ the averse player falls to 0.73 and the seeking one to 0.67; the neutral one stays at
-# 0.81. The weight goes up to 2, so with $\alpha = 1$ a value can jump beyond its target. With $\alpha = 0.5$ no
-# step is so long, and the two earn 0.79 and 0.86, more than with 0.02: large steps soon forget first values of 0.
+# gains nothing.
 # </details>
 
 # %% [markdown]
 # ## See inside: where a risk stops being worth it
-#
-# How do the games of the experiment end?
-
-# %%
-figures.games_figure(played)
-
-# %% [markdown]
-# The averse player mostly needs three or four hits. The seeking player mostly wins with two (now and then with one,
-# when the drive lands on the green), and sometimes loses the ball.
 #
 # ### By hand
 # When is the drive worth its risk, on average? It saves one hit: the fast plan returns 0.9, and the safe plan 0.8. With
@@ -419,7 +403,7 @@ noisy.measured(seen)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Averse and neutral lose hardly a ball, and seeking loses about one in ten. Beyond the crossing at 0.0187
-# the safe plan is also the best one on average, so the neutral player takes no risk that aversion could avoid. There
+# the safe plan is also the best one on average, so the neutral player takes no risk that aversion could avoid. At 0.02
 # seeking earns least of the three, 0.68, and neutral most, 0.76. (Averse is between them, with wide bands.)
 # </details>
 
@@ -512,10 +496,8 @@ cause.measured("both changes bring as many" if abs(more) < 0.1 else larger)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** With the rest of the game known, by far. Less bad luck alone changes little; once the rest is known, it
-# brings the last runs too. (Not everywhere: at level 0.0165 the drive is ahead by 0.05 only, and bad luck
-# alone is enough: also with the rest of the game known, only 29 % of 420 runs drive. With smaller steps as well, $\alpha
-# = 0.005$, 88 % do.)
+# **Measured.** With the rest of the game known, by far. Smaller steps alone bring few; once the rest is known, they
+# bring the last runs too.
 #
 # The averse player is farther off still: it believes 0.33, where 0.83 would be right for it. With the rest of the
 # game known it believes 0.75, but only 8 of 100 runs drive: one lost ball moves its value by 0.07, and the lead of the drive is only 0.04.
@@ -524,7 +506,7 @@ cause.measured("both changes bring as many" if abs(more) < 0.1 else larger)
 # %% [markdown]
 # What can an agent do that has nobody to play the rest of the game? Its values can start at 1, so that what was not
 # tried looks good; it can take smaller steps, $\alpha = 0.005$, and train ten times as long. We call this neutral
-# player *patient* (10 repetitions here). A run *takes the risk* if it loses more than 1 ball in 100, by drives from the tee or after a chip.
+# player *patient* (10 repetitions here). A run *takes the risk* if it loses more than 1 ball in 100, wherever it drives from.
 
 # %%
 patient = methods.play(methods.patient())[methods.NEUTRAL]
@@ -535,9 +517,8 @@ for label, one in players.items():
     print(f"neutral, {label:23}: mean return {one.mean.mean():.3f}, {drivers:.0%} of the runs take the risk")
 
 # %% [markdown]
-# All patient runs take the risk, and their mean is nearly the optimum. For a mean so high it takes all three of these changes. (A step
-# size that falls with the visits $n$ to a pair, $\alpha = n^{-0.7}$, does it without any of them, in 300 000 steps: 0.868, and all of 40 runs drive. Large
-# steps forget the first 0, and small ones average.)
+# All patient runs take the risk, and their mean is nearly the optimum. Without the longer training it is lower. (A step
+# size that falls with the visits $n$ to a pair, $\alpha = n^{-0.7}$, does as well in 300 000 steps, from first values of 0: 0.868, and all of 40 runs drive.)
 
 # %% [markdown] tags=["aside"]
 # ### Aside: "Risk-seeking pays"?
@@ -590,10 +571,9 @@ for condition, players in {
     print(f"{drivers:4.0%} of the neutral runs take the risk")
 
 # %% [markdown]
-# - At level 0.015 the drive *is* the best swing on average, and many neutral learners avoid it, most of all where the hits
-#   are hidden. (Probably since one row of the table stands for good games and bad ones.) With $\beta = 2$ an agent is
-#   pushed towards the drive.
-# - Against the patient player, who is neutral and drives, the lead is gone.
+# - At level 0.015 the drive *is* the best swing on average, and many neutral learners avoid it. With $\beta = 2$ an agent is
+#   pushed towards the drive. (With $\alpha = 0.1$ seeking runs earn 0.06 more where the hits are seen, too.)
+# - Trained ten times as long it still leads a little. Against the patient player, who is neutral and drives, the lead is gone.
 # - At level 0.02, where the drive is not the best swing, the same $\beta = 2$ costs dearly.
 #
 # So risk-seeking does not pay as such: a player who knew the true values could never gain by it. It *can* make up for
@@ -680,8 +660,7 @@ rate.measured(seen)
 # **Measured.** It hardly ever arrives. (The bands are wide, as there are 6 runs only.) With $\alpha = 1$ a value is the
 # *last* target, and not a mean. Where nothing is random, the last target is the best one. On slippery ice it is one
 # draw of a lottery. A learning rate below 1 takes a mean, and that takes
-# time: on the lake that is not slippery the curve of $\alpha = 0.05$ rises last. In these 10 000 steps 0.3 is ahead of 0.05;
-# later a smaller rate averages over more draws.
+# time: on the lake that is not slippery the curve of $\alpha = 0.05$ rises last.
 # </details>
 
 # %% [markdown]
@@ -872,8 +851,8 @@ display(
 # %% [markdown]
 # <details><summary>What the race shows</summary>
 #
-# With $\kappa = 0.5$ your agent plays much like the averse player, and with $\kappa = -0.5$ it takes nearly as much
-# risk as the seeking one: other weights, the same idea. $\kappa = -0.5$ also has the highest mean of the five. Many
+# With $\kappa = 0.5$ your agent plays much like the averse player, and with $\kappa = -0.5$ it takes more
+# risk than the neutral one: other weights, the same idea. $\kappa = -0.5$ also has the highest mean of the five. Many
 # neutral learners are too careful at this level, so a push can help. $\beta = 2$, with steps as small as $\alpha = 0.02$, leaves half of its runs at the worse
 # order. With $\kappa = -0.5$, 23 of 30 runs drive first.
 #
@@ -893,8 +872,7 @@ display(
 # The best expected return is 0.868. Your points are your mean return divided by that, in percent. The three players of
 # the lesson are the ones to beat. (The "return at the end" is a mean over few games, so by luck it can be above 0.868.)
 #
-# Write half a page about your agent. What does it do about rare places, about chance, and about exploring? How much of its
-# loss is exploration, and how much is a wrong value? What would you change for a level of 0.02?
+# Write half a page about your agent. What does it do about rare places, about chance, and about exploring? What would you change for a level of 0.02?
 
 
 # %%
@@ -977,7 +955,7 @@ check(project_8, my_program)
 # ### Limits
 # $\beta$ weighs single TD errors, not returns: for rewards that are not normal its value is not mean and variance, and
 # there is no simple formula for it. What it means depends on the size of the rewards: double them, and $\beta$ must be
-# halved. Learning to avoid risk does not make *learning* safe: the averse player lost balls before it knew better. And
+# halved. Learning to avoid risk does not make *learning* safe. And
 # a mean and a spread are not the whole distribution: distributional methods learn all of it.
 #
 # ### Further reading

@@ -244,11 +244,6 @@ def _outcomes(played: Mapping[str, Played], level: float) -> list[Panel]:
     ]
 
 
-def games_figure(played: Mapping[str, Played]) -> Sheet:
-    """Return how the games of each method end."""
-    return Sheet("games", [[Games(played, "how games end")]])
-
-
 def slider_figure(results: Results, played: Mapping[str, Played], level: float, epsilon: float) -> Sheet:
     """Return learning curves, how games end, and mean, spread and lost balls."""
     return Sheet(
