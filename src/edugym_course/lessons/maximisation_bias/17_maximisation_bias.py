@@ -297,9 +297,7 @@ for method in learners[:-1]:
     quiet_walks = methods.walks(method, methods.LONG, repetitions=50, noise=0.0, **methods.PAYING)
     print(f"without noise {method} earns {quiet_walks.income(slice(0, 300)).mean():.2f} in episodes 1 to 300")
 still = methods.walks(learners[-1], methods.LONG, repetitions=20, noise=0.0, **methods.PAYING).income().mean()
-print(
-    f"without noise {learners[-1]} earns {still:.2f} late; the best ε-greedy policy {methods.best_income():.2f}"
-)
+print(f"without noise {learners[-1]} earns {still:.2f} late; the best ε-greedy policy {methods.best_income():.2f}")
 for actions, epsilon in (("its own", methods.EPSILON), ("random", 1.0)):
     eight = methods.values(learners[-1], methods.LONG, epsilon=epsilon, **methods.PAYING)
     goes_in, entry, machine = methods.goes_in(eight), eight[:, STREET, IN] < 0, eight[:, CASINO, 2] < 0
