@@ -340,25 +340,38 @@ def test_tasks_made_at_random(seeds: range) -> None:
     assert not wrong
 
 
-@pytest.mark.usefixtures("compiled_at_once")
-def test_compiling_that_takes_too_long(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It is given up with a sentence, and the run goes on; the build stops, but only between two passes of Numba."""
-    stopped_in, build = [], compiler._build
+@pytest.fixture
+def stopped_in(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The functions in which builds of the next test end by an error."""
+    names, build = list[str](), compiler._build
 
     def watched(*arguments: Any) -> Any:
         try:
             return build(*arguments)
         except BaseException as error:
-            stopped_in.append(traceback.extract_tb(error.__traceback__)[-1].name)
+            names.append(traceback.extract_tb(error.__traceback__)[-1].name)
             raise
 
-    monkeypatch.setattr(compiler, "MOST_SECONDS", 0.0)
     monkeypatch.setattr(compiler, "_build", watched)
-    notebook = cell(WALK.replace("-0.25", "-0.75"))  # which no other test has compiled
-    with pytest.warns(UserWarning, match="compiling takes longer than 0 s"):
-        run = train(notebook["Walk"](5), QLearning.create((6, 2)), 6_000)
+    return names
+
+
+PAYING = WALK.replace("-0.25", "-BUMPS[0]").replace("class Walk", "BUMPS = (0.75,)\nclass Walk")
+
+
+@pytest.mark.usefixtures("compiled_at_once")
+def test_compiling_that_takes_too_long(monkeypatch: pytest.MonkeyPatch, stopped_in: list[str]) -> None:
+    """It is given up with a sentence, and the run goes on; the build stops, but only between two passes of Numba.
+
+    The loop of evaluations, which reaches the same methods, is not tried. The same methods with other values are.
+    """
+    with monkeypatch.context() as at_once:
+        at_once.setattr(compiler, "MOST_SECONDS", 0.0)
+        with pytest.warns(UserWarning, match="compiling takes longer than 0 s"):
+            run = train(cell(PAYING)["Walk"](5), QLearning.create((6, 2)), 6_000)
     assert run.complete
-    assert stopped_in == ["on_start"]  # the loop of evaluations reaches the same methods, and is not tried
+    assert stopped_in == ["on_start"]
+    train(cell(PAYING.replace("0.75", "0.5"))["Walk"](5), QLearning.create((6, 2)), 6_000)
 
 
 def test_a_mistake_comes_at_the_step_at_which_python_has_it() -> None:

@@ -201,14 +201,16 @@ def test_what_cannot_be_interrupted_is_waited_for_interruptibly() -> None:
         timer.join()
 
 
-@pytest.mark.skipif(not hasattr(time, "pthread_getcpuclockid"), reason="this system has no clock for a thread")
+@pytest.mark.skipif(not other_threads.HAS_CLOCKS, reason="this system has no clock for a thread")
 def test_a_limit_counts_the_time_of_its_own_thread() -> None:
-    """What waits while others work is not late; what works itself is, and has ended when the error comes."""
+    """What waits while others work is not late; what works itself is, and is told so."""
     over = threading.Event()
 
     def work(until: threading.Event) -> None:
         while not until.is_set():
             pass
+        if until is not over:
+            raise TimeoutError
 
     worker = threading.Thread(target=work, args=(over,))
     worker.start()
@@ -219,7 +221,29 @@ def test_a_limit_counts_the_time_of_its_own_thread() -> None:
     finally:
         over.set()
         worker.join()
-    assert "edugym-work" not in {thread.name for thread in threading.enumerate()}
+
+
+def test_a_function_that_goes_on_after_its_limit(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its result counts if it comes soon; else nobody waits, nor after an order to stop."""
+    go_on, stop = threading.Event(), threading.Event()
+
+    def work(late: threading.Event, goes_on: threading.Event) -> bool:
+        while not late.is_set():
+            pass
+        return goes_on.wait(60)
+
+    go_on.set()
+    assert other_threads.call_within(0.0, work, go_on)
+    go_on.clear()
+    try:
+        stop.set()
+        with pytest.raises(Stopped), SignalGuard(stop):
+            other_threads.call_within(0.0, work, go_on)
+        monkeypatch.setattr(other_threads, "MOST_SECONDS_TO_END", 0.1)
+        with pytest.raises(TimeoutError):
+            other_threads.call_within(0.0, work, go_on)
+    finally:
+        go_on.set()
 
 
 def test_a_notebook_shows_one_line() -> None:

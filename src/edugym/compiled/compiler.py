@@ -14,10 +14,9 @@ import math
 import re
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from pathlib import Path
-from types import CodeType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -27,7 +26,7 @@ from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, pu
 from edugym.compiled.error_messages import reason
 from edugym.compiled.numba_setup import CompilationError, numba_ready, processor, refused_error, replacements
 from edugym.system.interrupts import Stopped
-from edugym.system.other_threads import call_within
+from edugym.system.other_threads import HAS_CLOCKS, call_within
 
 Function = Callable[..., Any]
 
@@ -47,7 +46,7 @@ KEPT = 3
 """The number of builds of a loop that are kept for classes of the same names."""
 MOST_SECONDS = 20.0
 """When compiling a student's code has taken so much processor time, it is given up."""
-_too_long: list[set[CodeType]] = []  # students' code of the builds that were given up: with more it takes no less
+_too_long: list[dict[Any, Any]] = []  # what was a student's in builds that were given up: with more it takes no less
 _lock = threading.RLock()
 logger = logging.getLogger("edugym")
 LEAN = {"_nrt": False, "boundscheck": True}
@@ -125,7 +124,7 @@ def _locator() -> Callable[[Any], Any]:
 
 def is_built(loop: Function, code: Code) -> bool:
     """Whether this process holds machine code of the loop over this code."""
-    return any(key.loop is loop and key.fingerprint == code.fingerprint for key in _built)
+    return any(key.loop is loop and key.fingerprint == code.fingerprint for key in list(_built))
 
 
 def is_on_disk(code: Code) -> bool:
@@ -152,19 +151,41 @@ def _find_or_build(numba: Any, loop: Function, signature: tuple[Any, ...], code:
     """
     if _find(loop, signature, code) is None:
         seconds = MOST_SECONDS if code.foreign else math.inf
-        own = {function.__code__ for function in code.functions if is_foreign(function)}
+        parts = _parts_of_students(signature, code)
         try:
-            if any(too_long and too_long <= own for too_long in _too_long):
+            if not is_on_disk(code) and any(one.keys() <= parts.keys() for one in _too_long):
                 raise TimeoutError
             call_within(seconds, _build_once, numba, loop, signature, code)
         except TimeoutError:
-            _too_long.append(own)
+            if parts and HAS_CLOCKS and parts not in _too_long:
+                _too_long.append(parts)
             made = CompilationError(f"compiling takes longer than {seconds:.0f} s: make its methods shorter")
             _built[_Key(loop, code.fingerprint, signature, tuple(code.classes))] = made
     made = _find(loop, signature, code)
     if isinstance(made, CompilationError):
         raise CompilationError(str(made))
     return made
+
+
+def _parts_of_students(signature: tuple[Any, ...], code: Code) -> dict[Any, Any]:
+    """What of a build is a student's, by keys that are equal only where the compiler gets the same.
+
+    An object is kept with its key, which may hold its id.
+    """
+    parts: dict[Any, Any] = {one.__code__: one for one in code.functions if is_foreign(one)}
+    for of, name, value in code.named():
+        if is_foreign(of):
+            parts[name, type(value), value if isinstance(value, int | float | str) else id(value)] = value
+    return parts | {str(kind): kind for kind in _types_of_students(signature)}
+
+
+def _types_of_students(kinds: Iterable[Any]) -> Iterator[Any]:
+    """The types of students' NamedTuples, which tell the lengths of their tuples, in some types and within them."""
+    for kind in kinds:
+        if isinstance(kind, numba_ready().types.BaseTuple):
+            if hasattr(kind, "instance_class") and is_foreign(kind.instance_class):
+                yield kind
+            yield from _types_of_students(kind)
 
 
 def _find(loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
@@ -178,9 +199,12 @@ def _find(loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
 
 
 def _build_once(late: threading.Event, numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> None:
-    """Builds it, unless another thread just did; one build at a time. It ends early once `late` is set.
+    """Builds it, unless another thread just did; one build at a time.
 
     Of classes that have changed only the latest builds are kept, since each takes 2 MB.
+
+    Raises:
+        TimeoutError: `late` was set, and it stopped before its next pass.
     """
     with _lock:
         if _find(loop, signature, code) is not None:
@@ -188,12 +212,12 @@ def _build_once(late: threading.Event, numba: Any, loop: Function, signature: tu
         try:
             with importlib.import_module("edugym.compiled.compiler_pipelines").stopping_when(late):
                 made = _build(numba, loop, signature, code)
-        except Stopped:  # nobody waits
-            return
+        except Stopped:
+            raise TimeoutError from None
         except Exception as error:
             made = CompilationError(_reason(error, code))
         _built[_Key(loop, code.fingerprint, signature, tuple(code.classes))] = made
-        older = [other for other in _built if other.loop is loop and _alike(other.signature, signature)][:-KEPT]
+        older = [other for other in list(_built) if other.loop is loop and _alike(other.signature, signature)][:-KEPT]
         for other in older:
             del _built[other]
 

@@ -15,6 +15,8 @@ T = TypeVar("T")
 
 HAS_THREADS = sys.platform != "emscripten"
 """A browser's Python has none."""
+HAS_CLOCKS = hasattr(time, "pthread_getcpuclockid")
+"""Whether the system tells the processor time of a single thread."""
 MOST_SECONDS_TO_END = 10.0
 """How long a function that is late is waited for."""
 
@@ -37,7 +39,7 @@ def call_interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwar
 
 def _clock_of_this_thread() -> Callable[[], float]:
     """The processor time of this thread from now on, for others to read; else that of the process."""
-    if hasattr(time, "pthread_getcpuclockid"):
+    if HAS_CLOCKS:
         clock = time.pthread_getcpuclockid(threading.get_ident())
         began = time.clock_gettime(clock)
         return lambda: time.clock_gettime(clock) - began
@@ -56,7 +58,8 @@ def call_within(
     Args:
         seconds: the limit.
         function: its first argument is an event that is set when the limit is over. The function should look at it
-            from time to time, and end: an error raised in its thread from here could hit it anywhere.
+            from time to time, and raise `TimeoutError`: raised from here it could hit anything. If it returns a
+            result soon, that counts.
         *args: its other arguments.
         **kwargs: and its keyword arguments.
 
@@ -71,7 +74,7 @@ def call_within(
     returned: list[T] = []
     raised: list[BaseException] = []
     clocks: list[Callable[[], float]] = []
-    taken = 0.0
+    taken, most_to_end = 0.0, math.inf
 
     def call() -> None:
         try:
@@ -83,17 +86,17 @@ def call_within(
             done.set()
 
     name = f"edugym-{getattr(function, '__name__', 'work')}"
-    thread = threading.Thread(target=call, name=name)
-    thread.start()
+    threading.Thread(target=call, name=name).start()
     guard = current_guard()
     while not done.wait(0.02):  # on Windows waiting cannot be interrupted, so it is never for long
         if guard is not None and guard.should_stop():
             raise Stopped
         with suppress(OSError):  # it has just ended
             taken = clocks[0]() if clocks else taken
-        if taken > seconds:
+        if taken > seconds and not late.is_set():
             late.set()
-            thread.join(MOST_SECONDS_TO_END)  # it may have silenced the warnings of all threads, as Numba does
+            most_to_end = time.monotonic() + MOST_SECONDS_TO_END  # until then it may silence warnings, as Numba does
+        if time.monotonic() > most_to_end:
             raise TimeoutError
     if raised:
         raise raised.pop()
