@@ -316,7 +316,7 @@ fair.measured(methods.pulls(methods.tries_first(100)).regret().mean())
 #
 # **Measured.** 180: nine worse arms, 100 pulls of each, 0.2 a pull. After that it makes hardly a mistake, but the test alone cost more than all that Thompson sampling paid. Ten tries are
 # too few (332): 15 % of the runs end with a worse arm. Thirty would have been right here (97), but not for a gap of 0.1, where a hundred are better, and not for one of 0.4, where ten are. With the right number the fair
-# test costs about as much as Thompson sampling, or less, at any of these gaps. But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried ever less, the less likely it is the best.
+# test costs about as much as Thompson sampling, or less, at any of these gaps. But the right number depends on the gap, and nobody tells you the gap. Thompson sampling need not know it: each arm is tried the less, the less likely it is the best.
 # </details>
 
 # %% [markdown]
@@ -495,7 +495,7 @@ check(project_0b, my_program)
 # - ε-greedy's regret goes on growing evenly, by 0.018 a pull. With a falling $\varepsilon$, UCB, Thompson sampling and the gradient bandit it grows ever more slowly.
 # - After 10 000 pulls ε-greedy has paid 240, a falling $\varepsilon$ 181, UCB 160, Thompson sampling 108. To try each arm 100 times first costs 180.
 # - In 10 000 pulls regret first rises with the gap and then falls: what is hardest to find out is not what costs most.
-# - Where arms drift about ten times in a run, ε-greedy pays less with a constant learning rate than with sample averages; where they do not, it pays more. UCB pays least there; without its bonus, more than twice as much.
+# - Where arms drift about ten times in a run, ε-greedy pays less with a constant learning rate than with sample averages; where they do not, it pays more. Where arms drift UCB pays least; without its bonus, more than twice as much.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Only a pull shows how well an arm pays, and a pull of a worse arm costs. Nobody tells an agent when it may stop looking, so it must go on, but less and less. Greedy looks too little and stays with an arm that was lucky first, ε-greedy looks

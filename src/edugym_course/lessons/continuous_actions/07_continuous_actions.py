@@ -305,7 +305,7 @@ for alpha in (0.01, 0.03, 0.1):
 # above, none leaves in 2 000 updates.
 #
 # With $\alpha = 0.03$ a baseline and a larger $\sigma$ both help. Without either 88 of 100 are outside in the end. A baseline alone leaves 8
-# outside, and so does a $\sigma$ of 0.2 or above alone, but nearly all leave at some
+# outside, and so does a $\sigma$ of 0.2 or above alone, but all leave at some
 # time. With both only 23 leave in this time.
 #
 # With $\alpha = 0.1$ most are outside in the end in all four rows. So a baseline allows larger steps, and not any step.

@@ -563,7 +563,7 @@ gap = experiments.difference_where_both_pass(tuned, "Monte Carlo", "n = 1")
 print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 %: {gap.low:+.2f} to {gap.high:+.2f})")
 
 # %% [markdown]
-# It passes in all runs. But where both pass, $n = 1$ is still
+# Monte Carlo passes in all runs. But where both pass, $n = 1$ is still
 # better in the details. Does that contradict $\alpha / (2 - \alpha)$, by which a small rate averages the noise away? No: with a small rate the details take time. Here is Monte
 # Carlo without any noise of the rewards, after 4 000 episodes and after ten times as many: how far below the optimum
 # are the policies that pass? (We take the rate 0.01, since 0.003 takes longer still.)
@@ -747,7 +747,7 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 
 # %% [markdown] tags=["aside"]
 # ### Aside: a test of this guess
-# If it is right, it takes untried actions that look good. So we take that away. In
+# If it is right, one-step SARSA needs untried actions that look good. So we take these away. In
 # the task with five actions, where all methods passed often, we let all values start at −5: now untried actions look
 # *bad*.
 #
@@ -782,7 +782,7 @@ wary.measured(more)
 #
 # **Measured.** It meets the exam about as often, and keeps it more often. Without untried
 # actions that look good $n = 1$ meets the exam in less than half of the runs, instead of in nearly all. So it needs
-# them, as the explanation says. But Monte Carlo, too, now meets it in about half: with start values of 0 it also tried what was untried in the
+# them, as the guess says. But Monte Carlo, too, now meets it in about half: with start values of 0 it also tried what was untried in the
 # states that it visited. That $n = 1$ gains more from them with ten actions, because it hands them *back*, is still our guess.
 #
 # But optimism does not explain who is ahead *here*, from −5. Monte Carlo meets the exam a little more often (in 52 % and 41 % of 400 runs). Most of the difference comes after
@@ -1006,7 +1006,7 @@ for panel in race.rows[0]:
 # With five actions it is early about as fast as Monte Carlo, probably since its rewards, too, pass through many actions
 # at once. In the end its mean is above all others, in both panels. With five actions it is *precise*: where it passes, it ends 0.1 to 0.2 below the optimum, and the others 0.3 to 0.8 at this $\alpha$. A guess: exploring actions do not blur its
 # targets. With ten actions it also *passes* in far more runs than the deep methods, and at this noise in no fewer than $n = 1$.
-# This comes from the cuts at greedy actions that just disappointed: if you ask whether the action was the best one *when it was taken*, only exploring actions are cut,
+# This comes from the cuts at actions that were greedy when taken and are not after their update: if you ask whether the action was the best one *when it was taken*, only exploring actions are cut,
 # and it passes in 15 to 20 % of the runs, not in 70 to 80 % (draws of 60). A guess: at the other cuts it hands back what untried actions are worth, as one-step targets do.
 #
 # The idea is old. Watkins cut the targets of his Q(λ) at exploring actions in 1989. The **tree backup** algorithm

@@ -6,7 +6,7 @@
 # observation ever come a second time?
 #
 # **You will be able to** compute how large a table must be, and say when a table over boards of pixels works after all; write the
-# update of Q-learning with features instead of a table, and say what can go wrong with it; follow the main lines of
+# update of Q-learning with features instead of a table; follow the main lines of
 # DQN, with its gradient computed by hand; and predict what an agent knows about situations that it has never met.
 #
 # **Time.** {time} **Before you start.** You
@@ -170,7 +170,7 @@ source(dqn.forward)
 # - **A memory.** The latest 10 000 transitions $(S, A, R, S')$ are kept, each with a note whether $S'$ is terminal.
 #   Every four steps a *batch* of 32 of them is drawn at random. Those in a batch have little to do with each other.
 # - **A target that is held still.** The targets are computed with an older copy $\theta^-$ of the weights, brought up
-#   to date every 100 updates. (An aside shows why.)
+#   to date every 100 updates. (The aside on the deadly triad shows why.)
 # - **A loss that does not explode.** The loss $L(\delta)$ is $\frac{1}{2} \delta^2$ for errors
 #   $\delta = Q(S, A; \theta) - y$ up to 1 in size, and grows only linearly beyond. (This error is the value less the target, since we go *down* the slope of the loss.)
 #
@@ -316,7 +316,7 @@ sliders(one_table, **ranges, epsilon=(0.0, 1.0, 0.05), alpha=(0.05, 1.0, 0.05), 
 # <details><summary>What came out</summary>
 #
 # The columns and the levels matter most. On five columns without noise every setting of the other three that we
-# tried came to 1 within 3 000 steps. One reason may be that only the column of the ball is random, so a
+# tried came to 1 within 3 000 steps. One reason may be that only the column of the ball is random, so without noise a
 # large $\alpha$ does no harm. All episodes have one length, so $\gamma$ only scales the values. With 16 levels $\alpha = 1$ ended at 0.68
 # and $\varepsilon = 1$ at 0.76, instead of 0.84 (60 runs). </details>
 
@@ -373,8 +373,7 @@ tiny.remember([1.0, 0.0], 0, 1.0, [0.0, 0.0], True)  # in state (1, 0), action 0
 #   bias has $-0.5$. The weight from $h_2$ has 0, since $h_2 = 0$.
 # - $h_1$ itself has the derivative $0.8 \cdot (-0.5) = -0.4$. $h_2$ was cut off at 0, where a small change of its sum
 #   changes nothing, so it has 0.
-# - The weight from $x_1$ to $h_1$ has $1 \cdot (-0.4) = -0.4$, and so has the bias of $h_1$. The weights from $x_2 = 0$
-#   have 0.
+# - The weight from $x_1$ to $h_1$ has $1 \cdot (-0.4) = -0.4$, and so has the bias of $h_1$.
 #
 # Below, Adam takes a step with this gradient, in both layers.
 #
@@ -466,17 +465,17 @@ unseen.measured(len(generalises))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** One: the agent that sees ball minus paddle. On pixels a network does no better on new columns than a
-# table. (Linear in the pixels does not even learn the training columns, but for one run of ten: see the aside.)
+# **Measured.** One: the agent that sees ball minus paddle. DQN on pixels is on average no better on new columns than the
+# table, and its runs differ much. (Linear in the pixels does not even learn the training columns, but for one run of ten: see the aside.)
 #
-# Tile coding does worst. It shares between neighbouring columns, and so it mostly goes where it would go for a ball
-# next to this one: sharing can be wrong as well. (This depends on SARSA, too: Q-learning with the same tiles caught
-# column 1 in 22 of 60 runs, and column 3 in 8.)
+# SARSA with tile coding does worst. It shares between neighbouring columns, and mostly goes where it would go for a ball
+# next to this one: sharing can be wrong as well. (Q-learning with the same tiles caught column 1 in 22 of 60 runs, and
+# column 3 in 8.)
 # </details>
 #
 # ### The picture that explains it
 # Each cell is a state, with the ball in row 5 of the board. The arrow is what the agent does there; • is stay. A cell
-# is green if the agent then catches the ball, and red if not (low down, nobody may get there in time; the table's green is luck). The frames are for balls from the withheld columns.
+# is green if the agent then catches the ball, and red if not (low down, nobody may get there in time; in the frames the table's green is luck). The frames are for balls from the withheld columns.
 #
 # Runs differ much, so move `run` as well.
 
@@ -502,10 +501,10 @@ for row in touched:
 
 # %% [markdown]
 # In columns 1 and 3 there was never a ball, so these pixels were always 0, except at the bottom, where the paddle is,
-# and a weight from an input that is always 0 never moves. A ball there is multiplied by weights as they were drawn at first. This is a sign of
-# what is missing and not the reason: noise in training ($\sigma = 0.1$) moves every weight, and still most of 30 runs missed every withheld ball.
+# and a weight from an input that is always 0 never moves. A ball there is multiplied by weights as they were drawn at first. Moving
+# these weights is not enough: with noise in training ($\sigma = 0.1$) all move, and still most of 30 runs missed every withheld ball.
 #
-# **An agent carries over to new states only what its weights share between states.** A table shares nothing. A
+# **An agent carries over to new states only what its weights share between states.** A table shares nothing. This
 # network on pixels shares much between boards in which the same pixels are lit, as with noise. But a ball in column 1
 # and a ball in column 2 light different pixels, so no weight that reads the ball from the pixels is shared. Ball minus paddle shares
 # all that matters, and there a person has done the work.
@@ -531,8 +530,8 @@ for column in tasks.WITHHELD:
 # 0 for the weights that never moved the network does not see the ball at all, and the paddle ends in the middle.
 #
 # Why did the agent that is linear in the pixels learn so little? With $\alpha = 0.02$ or 0.01 a third of its runs or more
-# learn the training columns. Its sum has no term for ball and paddle together, so it cannot represent the true values.
-# Weights exist that catch every ball: try to find them. Even where balls fall from all five columns in training, Q-learning ends with
+# learn the training columns. One reason may be that its sum has no term for ball and paddle together, so it cannot represent the true values.
+# Weights exist that catch every ball. But even where balls fall from all five columns in training, Q-learning ends with
 # such weights in few runs: in about one of ten with $\alpha = 0.02$.
 
 # %% [markdown] tags=["aside"]
@@ -608,7 +607,7 @@ bound.measured(grows[0] - 0.01)
 #
 # **Measured.** Above one half. The factor $1 + \alpha (2 \gamma - 1)$ is larger than 1 for every
 # $\gamma > \frac{1}{2}$, and no $\alpha$ helps. Each update moves $w$ towards the target $2 \gamma w$. But the
-# target moves as well, $2 \gamma$ times as far: if $2 \gamma > 1$, $w$ never reaches it.
+# target moves as well, $2 \gamma$ times as far: if $2 \gamma > 1$, the gap grows.
 # </details>
 #
 # Three things come together here. Sutton and Barto call them the *deadly triad* (section 11.3): **function
@@ -706,7 +705,7 @@ factor.measured(costs[9][methods.TABLE] / costs[3][methods.TABLE])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 80 times as many in these three runs; in other sets of ten runs and more it was 65 to 100 times. So the steps
-# grow faster than the boards (the episodes, which are longer too, only 24 times). DQN needs more steps than the table on all four boards, but the ratio falls with the size of the board. (These numbers vary much from run to run. With 9 columns one run of DQN in six does not get there in 40 000 steps. The
+# grow faster than the boards (counted in episodes, which are longer too: 24 times). DQN needs more steps than the table on all four boards, but the ratio falls with the size of the board. (These numbers vary much from run to run. With 9 columns one run of DQN in six does not get there in 40 000 steps. The
 # agents are tested 40 times in training. What counts is the first time that all 30 test balls are caught, and of the
 # runs the median.) </details>
 
@@ -928,10 +927,10 @@ display(races.race_networks({"my DQN": methods.network(MyDQN)}))
 
 # %% [markdown]
 # ### The open challenge: a shuffled, noisy board
-# The 50 pixels stand in another order, which depends on your name, and every one has noise with $\sigma = 0.1$. There
+# The 50 pixels stand in another order, and every one has noise with $\sigma = 0.1$. There
 # are 8 000 steps. Points (at least 0) are the average greedy return over training, in percent of 1, the optimum. So it
 # counts how *fast* your agent learns. The `task` that `my_agent` gets has an `observation_space` and an `action_space`,
-# and nothing else. Your agent is trained ten times, each time with another order. (The DQN of this lesson,
+# and nothing else. Your agent is trained ten times, in ten orders drawn from your name; it has the methods of exercise 2. (The DQN of this lesson,
 # `DQN.create(task, discount=0.9, learn_from=200, copy_every=100)`, gets some 22 points on average; with 16 names it got 12 to 29.)
 #
 # Half a page with it: what does your agent share between boards? Does the shuffling make it harder for a table, for

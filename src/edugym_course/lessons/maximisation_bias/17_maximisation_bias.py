@@ -70,7 +70,7 @@ largest.measured(expected_maximum(machines, 5))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 0.56, exactly: ten machines that all lose promise a gain of more than half a coin. Noise does average out in *each* mean. In their maximum
+# **Measured.** 0.56, computed exactly: ten machines that all lose promise a gain of more than half a coin. Noise does average out in *each* mean. In their maximum
 # it does not, for the maximum looks for the mean with the largest error. Good and bad luck cancel out only if you do not choose.
 # </details>
 
@@ -122,7 +122,7 @@ source(MaxminQLearning, "learn")
 # ## The experiment: who goes in?
 #
 # This is after figure 6.5 of the book. There payoffs are normal; ours have the same mean and the same spread,
-# but two values only, so that everything can be computed. And in the book's street there are two actions, so that by chance one goes in every
+# but two values only, so that the bias can be computed. And in the book's street there are two actions, so that by chance one goes in every
 # second time; here there are ten.
 #
 # | setting | value |
@@ -164,14 +164,14 @@ order.measured(order.options[0 if q > expected + 0.05 > double + 0.1 else 1 if e
 # **Measured.** Q-learning, expected SARSA, double Q-learning: 71 %, 46 % and 9 %. At first nobody knows the casino, and all go in by chance, in one of ten episodes. Then some machine has paid.
 # Q-learning believes it, goes in, and plays it until it has lost enough; then it plays the next one. In the last 100 episodes it
 # seldom goes in. In episodes 31 to 100 maxmin Q-learning with two
-# tables goes in less often than Q-learning, too: 11 %. In the last 100 it goes in no less often. Why, and why expected SARSA still goes in then, we have not tested.
+# tables goes in less often than Q-learning, too: 11 %. In the last 100 it goes in no less often than Q-learning. Why, and why expected SARSA still goes in then, we have not tested.
 # </details>
 
 # %% [markdown]
 # ## Your turn
 #
 # How much does it take? Change the number of machines, the noise, and the number of tables. (20 runs. What happens without any
-# noise, with one machine and with eight tables, you predict below.)
+# noise, and with eight tables, you predict below.)
 
 
 # %%
@@ -185,7 +185,7 @@ sliders(one_setting, n_machines=[2, 5, 10, 20], noise=[0.5, 1.0, 2.0], n_tables=
 # %% [markdown]
 # <details><summary>What to look for</summary>
 #
-# The more machines there are, the more often Q-learning goes in, over all 200 episodes, although by chance one goes in the less often: in
+# The more machines there are, the more often Q-learning goes in, although by chance one goes in the less often: in
 # one of $k$ episodes. With less noise it goes in less often, though with 20 machines 20 runs are too few to tell a noise of 1 from 2.
 # With one table maxmin Q-learning is Q-learning (with other random numbers). With four it goes in about as often as by chance with 10 or 20 machines, and less often with 2 or 5.
 # </details>
@@ -237,8 +237,7 @@ quiet.measured(100 * still)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 9 %, about what chance gives (10 %). Until all ten machines have been tried, the largest value in the casino is 0, the
-# first value of a machine that was not tried; so home and casino seem equally good. So most of the 71 % takes the noise. But noise is not enough: from first values that are right it goes in as
-# little as the best $\varepsilon$-greedy policy.
+# first value of a machine that was not tried; so home and casino seem equally good. So most of the 71 % comes from the noise. But noise alone does little here: from first values that are right it goes in in 1 %.
 # </details>
 
 # %% [markdown]
@@ -310,10 +309,10 @@ poorest.measured(least if income[least] < max(income.values()) - 0.05 else poore
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Maxmin Q-learning, N = 8, by far: it earns 0.03, where Q-learning earns 0.76. Double Q-learning and maxmin Q-learning with two tables earn less than Q-learning in the first 300 episodes. (A part of this is no bias: without noise they earn 0.68 and 0.73 there, and Q-learning 0.76. Each of their tables learns from a part of the steps.)
-# The smallest of eight noisy values of going in is below 0 in all runs (that of the machine that wins in 83 %), and the
+# The smallest of eight noisy values of going in is below 0 in all these runs (and in 83 % of them that of the good machine), and the
 # agent stays outside. Without noise it earns 0.77, nearly the most there is (0.78). And whoever
 # stays outside gets few tries that could correct the value: with random actions 74 % of the runs learn in 600 episodes that going in is best, and with its own 0 %. So pessimism is
-# not free. Who thinks too much of a place goes there, and sees. Who thinks too little of it stays away.
+# not free. Who thinks too much of a place goes there, and sees. Who thinks too little of it stays away for long.
 # </details>
 
 # %% [markdown]
@@ -481,13 +480,13 @@ check(project_17, my_program)
 #
 # - Ten machines that lose 0.1 each promise 0.56 after five tries of each: the largest of several estimates is too high, though each one is right on average.
 # - The bias is a finite sum, and simulation agrees with it. It grows with the number of machines, and gets smaller with the number of tries.
-# - Q-learning entered the casino in 71 % of episodes 31 to 100, expected SARSA in 46 %, double Q-learning in 9 %. Without noise Q-learning did so in 9 %, and with right first values in 1 %.
+# - Q-learning entered the casino in 71 % of episodes 31 to 100, expected SARSA in 46 %, double Q-learning in 9 %. Without noise Q-learning did so in 9 %, and with right first values in 1 or 2 %.
 # - A second opinion has no bias where all actions are equal. Where a worse one may be chosen its bias is downward: −0.04 where the truth was 0.2.
-# - Maxmin Q-learning sets the balance by its number of tables. With eight it stayed outside a casino that pays.
+# - Maxmin Q-learning sets the balance by its number of tables. With eight it stayed outside a casino that pays, for all 600 episodes.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Q-learning takes the largest of its estimates for the value of a state. The largest one is
-# mostly one that was lucky, so the value is too high, the more so the more actions there are and the less each was tried. If one set of experiences chooses the
+# mostly one that was lucky, so the value is too high, the more so the more actions there are. If one set of experiences chooses the
 # action and another one says what it is worth, the luck of the choice does not count; but the choice may be wrong, and then the value is
 # too low. Both remedies of this lesson move the bias, and both had a price where a machine paid.
 #

@@ -106,7 +106,7 @@ RIDDLES = (
     Riddle(
         0.5,
         f"{_ONCE}, and the same action then pays -0.905 and ends one too: {_LOSS}",
-        "in each step *one* table learns, and a coin says which, each time anew; are Q1 and Q2 two arrays, not one?",
+        "in each step *one* table learns, and a coin says which, each time anew; are Q1 and Q2 two arrays, 0 at first?",
         _COIN,
         reward=-0.905,
         terminated=True,

@@ -94,7 +94,7 @@ play("MemoryCorridor", blind=True)
 # H_t = O_0, A_0, O_1, A_1, \dots, A_{t-1}, O_t
 # $$
 #
-# (The book begins with $A_0$.) Of the state nothing more can be known. (The rewards tell
+# Of the state nothing more can be known. (The rewards tell
 # nothing: until the end each is 1.) So decisions based on the history are the best ones
 # possible. But histories grow without end, and a long one hardly ever comes twice. The agent needs something short
 # that stands for it: an *agent state*, a function of the history (Sutton and Barto, section 17.3). A good one keeps
@@ -179,8 +179,8 @@ frames("MemoryCorridor", players.Rememberer.create(None), seed=4, max_steps=60)
 # The dotted lines show the best play that we could find for an agent that has no other memory than the window. Where the window does
 # not tell the right door, this play guesses. (With full memory it is 1 000.)
 #
-# The cell after the next is the whole experiment: one task for each window. `players.learn_all` makes these calls too,
-# and with `actions=True` the window shows actions as well.
+# The cell after the next is the whole experiment: one task for each window. (`players.learn_all` makes these calls too;
+# with `actions=True` the window shows actions.)
 #
 # **Predict.** With $k = 4$ the agent sees the last four observations, but not its actions. It chose its actions itself.
 # Does it help to show them to it?
@@ -224,7 +224,7 @@ helps.measured(same if abs(gain) <= 0.5 else higher if gain > 0 else lower)
 # ## Your turn
 #
 # Choose a window and the number of doors, and compare observations alone with observations and actions. What do
-# $\varepsilon$, $\alpha$ and $\gamma$ change? Try $\gamma = 0$, and explain what you see. (10 repetitions of 50 000
+# $\varepsilon$ and $\gamma$ change? Try $\gamma = 0$, and explain what you see. (10 repetitions of 50 000
 # steps. For $k = 1$ the two lines are the same.)
 
 
@@ -249,7 +249,7 @@ sliders(
 # All numbers are for $k = 3$ with actions, means over 200 runs. The given settings end at 7.1.
 #
 # - With $\varepsilon = 0$ it ends at 6.5. In each row the first door that was right gets a value above 0. All others
-#   stay at 0, so the agent never tries them there. With any other ε of the slider it tries them, and 0.5 ends
+#   stay at 0, so the agent never tries them there, even where another door is right more often. With any other ε of the slider it tries them, and 0.5 ends
 #   at 7.1 too.
 # - With $\gamma = 0$ it ends at 7.1.
 #
@@ -273,7 +273,7 @@ def window(step=6, k=4, actions=False):
 sliders(window, step=(0, 9), k=(1, 8), actions=False)
 
 # %% [markdown]
-# **Predict.** Observations alone, corridor 4. How long must the window be, so that the mark is in it at the *first*
+# **Predict.** Observations alone, corridor 4. How long must the window be, so that the mark of its door is in it at the *first*
 # place of corridor 4? Move the sliders if you like.
 
 # %%
@@ -295,7 +295,7 @@ needed.measured(windows.smallest_window(4))
 # laws below.
 # </details>
 #
-# **The law for observations alone.** The door at place 0 was marked once, at step 0, and later places after it. Corridors $1, \dots, L-1$ take
+# **The law for observations alone.** The door at place 0 was marked once, at step 0. For later places the mark is nearer. Corridors $1, \dots, L-1$ take
 # $L(L-1)/2$ steps. So at the first place of corridor $L$ the mark lies $L(L-1)/2$ steps back, and the window must hold
 # one observation more, the present one:
 #
@@ -314,8 +314,9 @@ figures.twin_figure(4, 4, actions=True)
 # It must also know the length of the corridor. Two marks would tell it: the last two are as many steps apart as the
 # previous corridor is long.
 #
-# Up to corridor $L - 1$ the window must hold both marks. That takes $2L - 3$ observations (the aside below counts
-# them). A single mark then means corridor $L$, where the last walk must fit, which takes $L$. The longer one counts:
+# Say that corridor $L$ is the longest one that must be played without an error. Up to corridor $L - 1$ the window must hold
+# both marks. That takes $2L - 3$ observations (the aside below counts them). A single mark then means corridor $L$, where
+# the last walk must fit, which takes $L$. The longer one counts:
 #
 # $$
 # k = \max(L,\; 2L - 3)
@@ -323,7 +324,7 @@ figures.twin_figure(4, 4, actions=True)
 #
 # The window grows linearly instead of quadratically. But each action in it multiplies the rows by 3. From corridor 6 on
 # the table with actions is the smaller one, and soon both are too large. (A row has a value for each of 3 actions, and
-# a value has 8 bytes. The paper's example is a window of 25 observations: it needs "over a petabyte".)
+# a value has 8 bytes. The paper's example is a window of 25 observations.)
 
 # %%
 print(f"a window of 25 observations alone: {3 * 8 * stack_size(4, 25):.1e} bytes, 27 petabytes (27 million gigabytes)")
@@ -335,20 +336,16 @@ for length in range(3, 9):
 
 # %% [markdown] tags=["aside"]
 # ### Aside: where the law with actions comes from
-# Say that corridor $L$ is the longest one that must be played without an error.
-#
-# - In every *shorter* corridor the agent must see two marks, to know its length: with one alone, two corridors look the
-#   same where their doors agree. (In corridors 1 and 2 the copies at the start stand in for one.) That is hardest at the
-#   last unmarked place of corridor $L - 1$, where the second last mark lies $2L - 4$ steps back. (The lower picture above
-#   is this moment for $L = 4$: one more entry, four steps back, would show the mark of step 0.) With the present
-#   observation that makes $2L - 3$.
-# - In corridor $L$ itself one mark is enough. In all shorter corridors the agent sees two, so a single one means
-#   corridor $L$.
+# In every corridor *shorter* than $L$ the agent must see two marks, to know its length: with one alone, two corridors look the
+# same where their doors agree. (In corridors 1 and 2 the copies at the start stand in for one.) That is hardest at the
+# last unmarked place of corridor $L - 1$, where the second last mark lies $2L - 4$ steps back. (The lower picture above
+# is this moment for $L = 4$: one more entry, four steps back, would show the mark of step 0.) With the present
+# observation that makes $2L - 3$.
 
 # %% [markdown]
 # ## Predict, then check
 #
-# ### "A larger table learns more slowly"
+# ### "A larger table returns less at first"
 # **Predict.** With actions, $k = 5$ has 144 times as many rows as $k = 3$. Early in training, after about 1 000 steps,
 # does it return less?
 
@@ -402,7 +399,7 @@ early.measured(
 # | network | one hidden layer of 64 units |
 # | update | every 4 steps after the first 1 000, by Adam with learning rate 0.001 |
 # | batch | 32 of the last 10 000 steps |
-# | `target` | copied every 250 updates |
+# | older copy of the network | made every 250 updates |
 # | discount | $\gamma = 0.8$ |
 # | exploring | $\varepsilon$ falls evenly from 1 to 0.02 in the first 16 000 steps |
 #
@@ -462,10 +459,10 @@ for length, share in enumerate(windows.best_play(7, actions=True).through[:7], s
 #
 # 1. Every right door of corridors 6 and 7 is still *in* the window of 7: it was opened 5 or 6 steps ago. What is
 #    missing (except at the first place of corridor 6) is the second last mark, which tells how long the corridor is.
-# 2. The actions tell it as well, most of the time. In a corridor of length $L$, each door that the agent has just
+# 2. The actions make the right length likelier in corridor 6. In a corridor of length $L$, each door that the agent has just
 #    opened on this walk is the same as the one opened $L - 1$ steps before it. A wrong length fits only by chance, in one
-#    case of three for each door that can be compared.
-# 3. Where nothing tells the length, a guess is still right in some of the episodes.
+#    case of three for each door that can be compared. (In corridor 7 this window can compare none.)
+# 3. Where nothing tells the length, the best play guesses.
 #
 # So the best play with this window gets through corridor 6 in 85 % of all episodes, and returns 23 on average. DQN
 # comes close.
@@ -473,7 +470,7 @@ for length, share in enumerate(windows.best_play(7, actions=True).through[:7], s
 # %% [markdown] tags=["aside"]
 # ### Aside: a memory that is learned
 # A *recurrent* network has a memory $M_t$, some numbers that it changes at every step by a function $u$ whose weights
-# are learned. For recurrent PPO $u$ is an *LSTM*, a small network that keeps numbers from step to step:
+# are learned. For recurrent PPO, an agent that learns its policy directly, $u$ is an *LSTM*, a small network that keeps numbers from step to step:
 #
 # $$
 # M_t = u(M_{t-1}, O_t)
@@ -511,8 +508,7 @@ learned.measured(learned.options[0 if ends.mean() < below else 1 if ends.mean() 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It ends near 16, between the two. Its mean still rose in the last third of the training. Nobody told it that there
-# are marks, places or lengths. (The numbers of steps are not a race. PPO collects rounds of 64 · 32 steps, uses each round 4 times, and
+# **Measured.** It ends near 16, between the two. Its mean still rose in the last third of the training.  (The numbers of steps are not a race. PPO collects rounds of 64 · 32 steps, uses each round 4 times, and
 # throws it away. DQN draws its batches from the last 10 000 steps.) </details>
 
 # %% [markdown] tags=["aside"]
@@ -811,7 +807,7 @@ display(figures.race(notebook, n_steps=20_000, repetitions=10, log=True, evaluat
 # percent of 64, and at most 100. 64 is what an agent gets *on average* that keeps the right notes, never tries a door
 # twice for a sign for which it was wrong, and never tries a door that already belongs to another sign. Ten runs have
 # luck in them: one such agent gets between 90 and 100 points, depending on the name. (The column "return at the end"
-# plays an episode without `learn`. It means little for agents whose memory is in `learn`, and does not count, but `act` must get through it.)
+# plays an episode without `learn`. It means little for agents whose memory is in `learn`, and does not count, but `act` must not crash there.)
 #
 # Half a page with it: what does your agent keep from step to step, what from episode to episode, and what of it was
 # your knowledge and not learned? In which task would that be wrong?

@@ -428,11 +428,11 @@ more_planning.measured(known["Dyna-10"][1].mean())
 
 # %% [markdown]
 # **Planning invents no knowledge.** Soon after a planner has found a way to the exit, its policy takes it. That of
-# Q-learning takes longer. A likely reason for what planners miss: only random steps leave their way, and they go straight back. If
+# Q-learning takes longer. A likely reason for what planners miss: only random steps leave their way, and the planners go straight back. If
 # so, more exploration should mend it. Two remedies below try that.
 #
 # Who ends *higher* depends on the shop. The aside tries twelve others: in all of them Dyna-10 gets to know less than
-# Q-learning, but it ends below Q-learning in about half of them.
+# Q-learning, but it does not always end below it.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: is it the shop?

@@ -178,7 +178,7 @@ source(ChebyshevQLearning, "look_at", "learn")
 # Here are 18 weights of time, from 0.15 to 60, each with an agent of its own and random dives as above. In the figure a white point is the closest treasure. "The rest of the dive" is our reading of the paper: it compares
 # $\mathbf{z}$ with its vectors $\mathbf{Q}(s, a)$. "The whole dive" adds to $\mathbf{Q}(s, a)$ what the dive has brought up to $s$ (in the code, `so_far`).
 #
-# **Predict.** Which of the two picks up the treasure that is closest for all 18 weights?
+# **Predict.** Which of the two picks up the closest treasure for all 18 weights?
 
 # %%
 who = predict(
@@ -541,7 +541,7 @@ check(project_12, my_program)
 # - Chebyshev distances of whole dives found every treasure for the weights that ask for it. Without the steps so far they missed it for most
 #   weights.
 # - Pareto Q-learning found all nine in one run, without weights.
-# - A learned price kept its limit on average, and each late dive kept it where a treasure that some price prefers takes exactly seven steps (concavity 0).
+# - A learned price kept its limit on average, and in most runs each late dive kept it where a treasure that some price prefers takes exactly seven steps (concavity 0).
 #   While the price was learned some 70 dives took too long.
 #
 # ### In one paragraph

@@ -29,7 +29,7 @@ from edugym_course.notebook import play, predict, sliders, source
 # %% [markdown]
 # ## Meet the environment: the morning, and its log-book
 #
-# The environment is the alarm clock of lesson 10, which should let her sleep, wake her in time, and ring seldom. Every ten minutes from 7:10 on it stays quiet, chimes or rings. At 8:30 the
+# The environment is the alarm clock of lesson 10, which should let a sleeper sleep, wake her in time, and ring seldom. Every ten minutes from 7:10 on it stays quiet, chimes or rings. At 8:30 the
 # episode ends; here an episode is called a night.
 #
 # | | | in words |
@@ -323,8 +323,8 @@ cost.measured(heavy["pessimistic"].mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** About 7. Where every action was tried, there is little to be careful of, and a large penalty makes the values
-# wrong, on purpose. Is pessimism just imitation, then? The action that the log-book has most often is as good (10.3) if a good
-# clock wrote it, and keeps −9 if the buttons were random.
+# wrong, on purpose. Is pessimism just imitation, then? The action that the log-book has most often keeps 10.3 if a good
+# clock wrote it, and −9 if the buttons were random. So it is not.
 # </details>
 
 # %% [markdown]

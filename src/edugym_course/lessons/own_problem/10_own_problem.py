@@ -351,7 +351,7 @@ for method, returns in worth.items():
 
 # %% [markdown]
 # All five learn a clock that is far better than random actions. Dyna is close to the optimum after 1 000 steps (125
-# mornings), and finds the best policy in most runs. 3-step SARSA is the second fastest. The other three are still rising. The novelty reward is no
+# mornings), and finds the best policy in most runs. 3-step SARSA is the second early on; at the end it and the other three are level. The novelty reward is no
 # help here: in 1 000 runs it was 0.7 behind Q-learning after 1 000 steps, and ended at the same value.
 # (On the left the points are means of played episodes, which luck may lift above the optimum, 10.32; on the right the
 # policies are evaluated exactly.)
@@ -360,7 +360,7 @@ for method, returns in worth.items():
 # ## Your turn
 #
 # The reward has two weights that nobody told us, and here is a third one: a bonus each time she wakes. Move a slider
-# and release it: the problem is solved again, exactly. Find (1) a cost of oversleeping at which she always oversleeps,
+# and release it: the problem is solved again, exactly. Before each question put the sliders back (4, 10, 0). Find (1) a cost of oversleeping at which she always oversleeps,
 # (2) one at which she is late in less than 2 % of all mornings, (3) the lowest bonus from which on she wakes more than
 # once on average.
 
@@ -370,13 +370,13 @@ sliders(figures.weights_sheet, ring=(0.0, 12.0, 0.5), late=(0.0, 30.0, 0.5), bon
 # %% [markdown]
 # <details><summary>Answers</summary>
 #
-# With the other weights as they were: (1) 3.5 or less. (2) 14.5 or more, where it is 1 %. (3) 6.
+# (1) 3.5 or less. (2) 14.5 or more, where it is 1 %. (3) 6.
 # </details>
 
 # %% [markdown]
 # The map does not change smoothly. There are finitely many deterministic policies, one of them is always best, and the
 # return of each is a straight line in each weight. So for long stretches of a slider the same policy is best, and then
-# a cell flips. If the clock never comes to that cell, only the map changes: raise `late` from 10 to 11 and look at the
+# a cell flips. If the clock never comes to that cell, only the map changes: raise `late` from 10 to 11, the others as at first, and look at the
 # title. (The cell *dozing at 8:00* flips, and at 8:00 she is still fast asleep.) A small change of a reward may matter
 # a lot or not at all.
 
@@ -384,9 +384,9 @@ sliders(figures.weights_sheet, ring=(0.0, 12.0, 0.5), late=(0.0, 30.0, 0.5), bon
 # ## See inside: what a careless reward teaches
 #
 # ### A runner who gives up
-# The runner of lesson 2 must arrive exactly at the last cell before a cliff. It stands still at first. Each action changes
+# The runner of lesson 2 must arrive exactly at the last of ten cells, before a cliff. It stands still at first. Each action changes
 # its speed by $-1$, 0 or $+1$, and then it runs as many cells as its speed says. The step that arrives there has the
-# reward $+1$. A step in which the runner falls or stalls has the reward $R$, here a fixed number. Every other step has $-1$.
+# reward $+1$. A step in which the runner falls or stalls has the reward $R$. Every other step has $-1$.
 # To *stall* is to brake when standing still, and it ends the episode. The shortest run has four steps and returns $-1 -
 # 1 - 1 + 1 = -2$.
 #
@@ -508,7 +508,7 @@ helps.measured("with the potential" if lead > 0.5 else "without any shaping" if 
 # <details><summary>What was measured</summary>
 #
 # **Measured.** At 800 steps Q-learning with the potential of 10 is far *behind* Q-learning without shaping: $-2.4$
-# against 6.7. After 12 800 steps both are near the optimum (9.8). With $\varphi = v_*$ Q-learning is close to
+# against 6.7. After 12 800 steps both are at 9.8. With $\varphi = v_*$ Q-learning is close to
 # the optimum after 200 steps already. So a potential cannot change which policy is best, but it can help learning or slow it
 # down: to Q-learning it is the same as a table that starts at it (the aside says why). With the two careless rewards more
 # training does not bring the agent to what was meant.
@@ -516,7 +516,7 @@ helps.measured("with the potential" if lead > 0.5 else "without any shaping" if 
 
 # %% [markdown] tags=["aside"]
 # ### Aside: a potential is an initial value
-# Why does this potential slow learning down, and $v_*$ not? Write $Q'$ for the table of Q-learning with the potential.
+# Why does this potential slow learning down, and $v_*$ not? Write $Q'$ for the table of Q-learning with the potential, which starts at 0.
 # Its error is
 #
 # $$
@@ -613,7 +613,7 @@ print(f"Q-learning that sees the time: mean {returns.mean():.2f} of {possible:.2
 # %% [markdown]
 # Q-learning falls short of 9.98, and more training does not help: after 1 000 000 steps 30 runs were at 9.1 on average.
 # What it sees next is the next time, whatever it does, so no chime gets credit for what comes later. It learns to be quiet
-# seven times and then to ring: $14 - 4.9 = 9.1$. What you measure is the variable's worth *for this agent*.
+# seven times and then to ring: $14 - 4 - 0.1 \cdot 9 = 9.1$. What you measure is the variable's worth *for this agent*.
 
 # %% [markdown]
 # ## Exercises
@@ -631,7 +631,7 @@ from edugym_course.lessons.own_problem.exercises import exercise_1, exercise_2, 
 # the lowest cost of oversleeping at which ringing is best there? (The cost of a ring stays 4.) Set `late` by a formula,
 # or to a number rounded to two digits after the decimal point.
 #
-# <details><summary>Hint</summary>There is one step left, so each action is worth its expected reward, by the equation
+# <details><summary>Hint</summary>There is one step left, so each action is worth its expected reward, by the equation of the reward
 # at the top: the depth at the end of the step, less 4 for a ring, less <code>late</code> unless she is awake. A ring
 # leaves her awake with probability 0.9 and dozing otherwise; silence leaves her fast asleep. At which cost are the two
 # equal?</details>
@@ -660,7 +660,7 @@ check(exercise_1, late)
 
 # %%
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
-    """Return the reward of a step and what the potential gains in it."""
+    """Return the reward of a step plus what the potential gains in it."""
     ### BEGIN SOLUTION
     after = 0.0 if terminated else discount * potential(next_state)
     return reward + after - potential(state)
@@ -760,7 +760,7 @@ display(races.count_matters(UsedToIt))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** "The old clock" is the policy that was best for a sleeper who hears every chime. With the new one it is
+# **Measured.** "The old clock" is the policy that was best for a sleeper who hears every chime. With the new sleeper it is
 # worth only 5.7, where the optimum is 9.9, since it was planned with wrong dynamics. But up to 20 000 steps Q-learning does
 # no better with a look at `chimes`: in 200 runs it is even a little behind (8.8 against 9.0; both are about 1 below the
 # optimum). With 100 000 steps it is ahead. The optimum needs no such look: one of the best rules sees only time and
@@ -881,7 +881,7 @@ for sheet in tour.sheets:
     display(sheet)
 
 # %% [markdown]
-# If the list ends in "... and more", this prints the best action in every state:
+# If the list ends in "... and more", this prints the probabilities of the best policy in every state:
 # `for s, p in zip(tour.values.model.states, tour.values.greedy_policy()): print(s, p)`.
 #
 # **A careless reward.** Solve your problem with another reward, and judge both policies by the one that you meant. This
@@ -949,13 +949,13 @@ play("my_problem.py")
 # **Hand in** the file and a page with it. (1) The wish in one sentence, and the four answers. (2) The best policy in
 # words: is it what you meant? (3) Change your reward in a careless way that sounds reasonable. Solve the problem again,
 # as in `Careless`, and say in numbers what the new reward teaches. (4) Leave one variable out of `observation`, as in
-# `SeesTheTime`, and measure what it was worth for an agent. (It may be less than nothing.) (5) Which agent did best,
+# `SeesTheTime`, and measure what it was worth for an agent: compare with Q-learning in the tour. (It may be less than nothing.) (5) Which agent did best,
 # and what may be a reason? Look at a friend's problem too: find a policy that earns a lot and that your friend did not
 # mean.
 
 # %% [markdown]
 # ### From a blank file
-# The form of `edugym` did much for you: it counted steps, seeded chance and kept the state. Now write an environment without it, from
+# The form of `edugym` did much for you: it seeded chance and kept the state. Now write an environment without it, from
 # an empty cell, with NumPy and Gymnasium only, so that anybody's agent can play it. Some 40 lines; take your problem of
 # exercise 4, or a new one.
 #
@@ -1020,13 +1020,13 @@ check(project_10, MyEnvironment)
 # and a reward. The state must include everything about the past that makes a difference for the future. The reward is
 # not a description of what I want but the only thing that is paid, and the best policy is best for what is paid. So I
 # solve a small version exactly, look at what the best policy *does*, and count what I care about, before I train
-# anything. If I want to help an agent with hints, I give them as a potential, which is paid back, or start its table
-# there, which is the same.
+# anything. If I want to help an agent with hints, I give them as a potential: it keeps the best policy, but may slow learning
+# down.
 #
 # ### Limits
 # All of this could be solved exactly, which real problems cannot. There a careless reward is found out late, by
 # watching what the agent does. We chose the numbers 4 and 10 by feeling; lesson 14 learns a reward from what a
-# teacher prefers. And a potential keeps the best policy, but not what a learner with little time ends up with.
+# teacher prefers.
 #
 # ### Further reading
 # - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 3.2 (goals and rewards), 17.3 (observations and state), 17.4

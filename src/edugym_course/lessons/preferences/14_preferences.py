@@ -221,7 +221,7 @@ figures.gains({"100 comparisons": hundred, "3000 comparisons": thousands}, secon
 # maximum: the maximisation bias of Sutton and Barto, section 6.7. There a second table is one remedy.)
 #
 # The reference matters, too: ours was made from the best clock. With the same rewards and a penalty for leaving *random
-# buttons* the meant return rises to the end. (There, $\beta = 0$, both references give the same policy.)
+# buttons* the meant return rises to the end. (At the end, with $\beta = 0$, both references give the same policy.)
 #
 # On the right there are 3 000 comparisons, in 20 repetitions. The errors are small, both rewards agree, and the meant return rises nearly to the end. (Both
 # promise only half of what is meant: an aside says why.)

@@ -151,7 +151,7 @@ sliders(figures.one_setting, learning_rate=(0.05, 1.0, 0.05), discount=(0.0, 0.9
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# - *The learning rate and* $\varepsilon$ hardly moved Study anywhere on their sliders: its scores were 0.59 to 0.73. Tamagotchi fell from 0.69 to 0.07 without exploration. With a learning rate of 1 it fell to about 0.3 (here to 0.10). With both at once it scored 0.65: two settings that are bad alone need not be so together.
+# - *The learning rate and* $\varepsilon$ hardly moved Study anywhere on their sliders: its scores were 0.59 to 0.73. Tamagotchi fell from 0.69 to 0.07 without exploration. With a learning rate of 1 it fell to 0.10 here, and to about 0.3 on average in other runs. With both at once it scored 0.65: two settings that are bad alone need not be so together.
 # - *One setting* left Tamagotchi nearly as it was, and not Study. You will find it in exercise 2: only the very end of its slider does it.
 # </details>
 

@@ -361,7 +361,7 @@ from edugym_course.lessons.search.exercises import exercise_1, exercise_2, exerc
 # %% [markdown]
 # ### Exercise 1: the upper bound
 # Return the number by which UCT selects an action: `q` is its mean return in this node, `n_action` how often it was tried there, `n_node` how many choices the
-# node has seen, $N(\text{node})$; put it in as it is. (It is 0 only where nothing was tried.) What was never tried comes before everything else: its bound is infinite.
+# node has seen, the present one included (the check also gives 0, where nothing was tried). What was never tried comes before everything else: its bound is infinite.
 #
 # <details><summary>Hint</summary><code>float("inf")</code> is larger than every number.</details>
 

@@ -276,8 +276,7 @@ Sheet("answers", [panels[:2], panels[2:]])
 # %% [markdown]
 # ## Your turn
 #
-# How much noise can Q-learning stand? Give the toy a larger or a smaller vocabulary ($H$): what does that change? (More words
-# in a message, $L$, are the next question.) Then turn the knobs of the agent. With a smaller $\gamma$ it looks less far
+# How much noise can Q-learning stand? (What more words in a message, $L$, and other vocabularies, $H$, change you predict below.) Then turn the knobs of the agent. With a smaller $\gamma$ it looks less far
 # ahead: does it need to? The yellow and the green line show the two players who know the words (with one word they are
 # the same player). (10 repetitions of 200 000 steps. With $H$ below 4 some words are *ambiguous*: they mean two
 # needs or more. The two players then always take the first meaning.)
@@ -308,10 +307,8 @@ sliders(
 # |---|---|
 # | none ($\tau = 0.05$, $L = 1$, $H = 4$, $\alpha = 0.02$, $\gamma = 0.5$) | 3 000 |
 # | $\gamma = 0$; 0.9 | 3 140; 2 950 |
-# | $H = 8$; 3 | 2 980; −720 |
 #
-# It need not look ahead. Synonyms ($H = 8$) cost little or nothing in the end (further down an aside shows that they cost time), and
-# ambiguous words ($H = 3$) cost everything.
+# It need not look ahead.
 # </details>
 
 # %% [markdown]

@@ -573,7 +573,7 @@ for condition, players in {
 # %% [markdown]
 # - At level 0.015 the drive *is* the best swing on average, and many neutral learners avoid it. With $\beta = 2$ an agent is
 #   pushed towards the drive. (With $\alpha = 0.1$ seeking runs earn 0.06 more where the hits are seen, too.)
-# - Trained ten times as long it still leads a little. Against the patient player, who is neutral and drives, the lead is gone.
+# - Where the hits are seen the seeking player leads only after ten times the training, by 0.03. Against the patient player, who is neutral and drives, the lead is gone.
 # - At level 0.02, where the drive is not the best swing, the same $\beta = 2$ costs dearly.
 #
 # So risk-seeking does not pay as such: a player who knew the true values could never gain by it. It *can* make up for
