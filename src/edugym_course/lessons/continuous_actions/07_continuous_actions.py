@@ -285,7 +285,7 @@ noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ra
 # %% [markdown] tags=["aside"]
 # ### Aside: what a baseline does to learning
 # One hundred policies begin at $\mu = -0.8$, $\sigma = 1$, and learn both in 2 000 updates, with one action each
-# ($\alpha$ is the same for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards so far, the present one included; so the first update is 0, and the nth is smaller by 1/n). The code keeps
+# ($\alpha$ is the same for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards so far, the present one included). The code keeps
 # $\mu$ between −6 and 6, and $\sigma$ between 0.02 and 2.7. What if it keeps $\sigma$ at 0.2 or above? And what if the
 # steps are larger? (The figure has $\alpha = 0.01$.)
 
@@ -304,15 +304,14 @@ for alpha in (0.01, 0.03, 0.1):
 # $(a - \mu) / \sigma^2$ are about $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or
 # above, none leaves in 2 000 updates.
 #
-# With $\alpha = 0.03$ a baseline and a larger $\sigma$ both help. Without either 88 of 100 are outside in the end. A baseline alone leaves 8
-# outside, and so does a $\sigma$ of 0.2 or above alone, but all leave at some
-# time. With both only 23 leave in this time.
+# With $\alpha = 0.03$ a baseline and a larger $\sigma$ both help. Without either 88 of 100 are outside in the end. Either alone
+# leaves only about ten outside, but nearly all leave at some time. With both only 23 leave in this time.
 #
 # With $\alpha = 0.1$ most are outside in the end in all four rows. So a baseline allows larger steps, and not any step.
 
 # %% [markdown]
 # ### The picture to remember
-# In the left panel of the next figure one policy learns, with a baseline. It starts wide, moves to the middle, and
+# In the left panel of the next figure one policy learns, with the mean of all rewards so far as baseline. It starts wide, moves to the middle, and
 # becomes narrow. So a Gaussian policy turns from exploring into placing exactly. (That of the arm, below, keeps its $\sigma$.)
 
 
@@ -423,7 +422,7 @@ first.measured(min(soon, key=soon.get))
 #
 # **Measured.** Three bins are first by far, and the more bins, the later. (A guess why: three bins for two joints make 9 actions,
 # nine make 81.) But three bins cannot get more than 4.31: twelve of the 20 runs
-# reach it, and eight stop at 4.07. Five and nine end higher on average, above the continuous agent, too.
+# reach it, and eight stop at 4.07. Five and nine end higher on average.
 #
 # The continuous agent needs about as many steps as 5 bins. (Without the baseline 5 bins need fewer; exercise 3 shows
 # why.) </details>
@@ -873,7 +872,7 @@ display(figures.race({"mine": MyREINFORCE.create}))
 # last step backwards, you have another line, an earlier one: the arm comes to some cells several times in an episode, and then the
 # order matters.) Without a baseline the mean line is earlier here, and in 60 more runs it is, too.
 #
-# The baseline itself is not to blame, but the order is. Each visit to a cell moves $V$ by 40 % of the way to the return, so in the book's order a later visit to the same cell in the episode has a much smaller $\delta$. The test: $V$ moves only after all steps of the policy, and we multiply $\delta$ by 0.6 for each earlier visit to the cell, or for each later one. Steps to 3.5 (mean of 120 runs):
+# The baseline itself is not to blame, but the order is. Each visit to a cell moves $V$ by 40 % of the way to the return, so in the book's order a later visit to the same cell in the episode has a much smaller $\delta$. The test: $V$ moves only after all steps of the policy, and we multiply $\delta$ by 0.6 for each earlier visit to the cell, or for each later one. Steps to 3.5 (mean of 120 runs, set up as in the race):
 #
 # | | steps |
 # |---|---|
@@ -897,7 +896,7 @@ display(figures.race({"mine": MyREINFORCE.create}))
 #
 # Everything is allowed that learns from its own steps: other features, a $\sigma$ that shrinks, bins inside of the
 # agent, an agent of your own (with `act`, `greedy` and `learn` as in exercise 3, and `tabular = False`; `learn` gets its arguments by their
-# names, and may have `next_state` as well). Half a page with it: what did you change, why should it help, and what did you measure?
+# names, and may have `next_state` as well; plain Python takes minutes). Half a page with it: what did you change, why should it help, and what did you measure?
 
 
 # %%

@@ -292,7 +292,7 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 #
 # **Measured.** Dyna-10 needs about a quarter of the steps of Q-learning, and the other two planners about a fifth:
 # that is what a model is for. (The curves are means, which slow runs pull down.) And then they hardly improve.
-# Q-learning ends highest in this shop, and the two that rise first end lowest. (Both panels cut off a bad start.)
+# Q-learning ends highest in this shop, and prioritised sweeping, among the first to rise, ends below Dyna-10. (Both panels cut off a bad start.)
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -343,7 +343,7 @@ free.measured(min(learned.methods, key=lambda method: simulator.seconds_to(metho
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Q-learning, by far. Each planner saves steps, and pays for them with more targets than it saves.
+# **Measured.** Q-learning, by far. Each planner saves steps, and computes more targets in all.
 # Prioritised sweeping computes about 6 100 in its first 500 steps, most of them for priorities. Later its queue is
 # mostly empty. Where a step takes a tenth of a second (right), targets are free, and the planners are ahead by minutes.
 # A model pays where steps cost much. (The curves are means again, so they get to 70 later than half of the runs.)
@@ -372,7 +372,7 @@ sliders(one_clock, step_ms=[0.0, 0.01, 0.03, 0.1, 0.3, 1.0, 10.0, 100.0], target
 # %% [markdown]
 # ## Your turn
 #
-# How many updates are enough? Can exploration make up for what the planners lack? What does a learning rate below 1 do in a
+# How many updates are enough? What does a learning rate below 1 do in a
 # shop without chance? Does $\gamma$ matter? Move a slider and release it: three methods train again, with 10 repetitions.
 
 
@@ -389,12 +389,11 @@ sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# - $n$: until half of the runs are at 70, ten updates save Dyna some 2 000 steps, and thirty more some 200 (100 runs; ten do not show it). Thirty more hardly help prioritised sweeping.
-# - $\varepsilon$: with 0.5 both planners end higher than with 0.1, and Q-learning lower. (With 0.9 the planners end at 95, but need twice as many steps to 70.)
+# - $n$: until half of the runs are at 70, ten updates save Dyna some 2 000 steps, and thirty more about one evaluation (100 runs; ten do not show it). Thirty more hardly help prioritised sweeping.
 # - $\alpha$: with 0.1 all need at least twice as many steps.
 #   Nothing is random, so 1 is fastest.
 # - $\gamma$: with 0.9 all three take about as many steps as before. But with 0.94 or less the way with the highest
-#   *discounted* return leaves an item out, and returns 78. (Runs that have not learned that way may return more.)
+#   *discounted* return leaves an item out, and returns 78.
 # </details>
 
 # %% [markdown]
@@ -427,8 +426,7 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # </details>
 
 # %% [markdown]
-# **Planning invents no knowledge.** Soon after a planner has found a way to the exit, its policy takes it. That of
-# Q-learning takes longer. A likely reason for what planners miss: only random steps leave their way, and the planners go straight back. If
+# **Planning invents no knowledge.** A likely reason for what planners miss: only random steps leave their way, and the planners go straight back. If
 # so, more exploration should mend it. Two remedies below try that.
 #
 # Who ends *higher* depends on the shop. The aside tries twelve others: in all of them Dyna-10 gets to know less than
@@ -515,10 +513,9 @@ wants_to_know.measured(100 * np.mean(remedied.curves("R-max").loc[2_000] >= 95))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** In nearly all runs, and soon after in all. R-max needs no more steps than the other planners, and it
-# gets everything. More random steps help too (for $\varepsilon = 0.5$ only 100 runs show it surely), but slowly. All
-# that the remedies change is what the agents have *seen*: in the right panel the two dots of each method stay close
-# together.
+# **Measured.** In nearly all runs, and soon after in all. R-max needs no more steps than Dyna-10, and it
+# gets everything. More random steps help too (for $\varepsilon = 0.5$ only 100 runs show it surely), but slowly. In the right panel the two dots of each method stay close
+# together: what changed is what they have *seen*.
 # </details>
 
 # %% [markdown]
@@ -567,7 +564,7 @@ depth.measured(int(looking.x[looking.lines["knows nothing"] >= 95][0]))
 #
 # Good values make a short look enough: Dyna-10 needs none to get its 82. Bad ones can do harm: with a look ahead of 8,
 # half-learned values of Q-learning lead the agent astray where zeros do not. Up to a look ahead of 10 Dyna-10 gains
-# little. With 11 and 12 it gets items that it has never seen: the *given* model knows them.
+# little. With 11 and 12 it probably gets items that it has never seen: the *given* model knows them.
 # </details>
 
 # %% [markdown]
@@ -1022,11 +1019,11 @@ check(project_9, my_program)
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A model says what an action would do. With it an agent can
 # make updates without taking steps, so it needs fewer of them: good where steps cost much. A model may be given, or
-# learned from what was tried. Planning spreads what is known through all values, in the fewest updates backwards from where
+# learned from what was tried. Planning spreads what is known through all values, in fewer updates backwards from where
 # they change; it adds nothing to what is known. An agent that plans makes the most of what it has seen. If that is the whole
 # world, it is done. If not, it stays with what it knows, unless it explores on purpose: slowly by random steps, or
 # systematically, if it plans as if the unknown were wonderful. And since a plan is a search for the largest value, it
-# finds the errors of its model first.
+# is drawn to errors that look like gains.
 #
 # ### Limits
 # The models here are tables, with one row for every state and action that was tried: they cannot say anything about the

@@ -55,7 +55,7 @@ source(type(env.mdp), "transition", "rewards", "reward")
 play("Diver", concavity=0.0)
 
 # %% [markdown]
-# ## The idea: weights are a direction
+# ## The idea: weights are a price
 #
 # ### Which policies are good compromises?
 # Nobody can tell you how many steps a treasure is worth. But some things are beyond dispute. A policy that brings 20 in five steps is
@@ -66,7 +66,7 @@ play("Diver", concavity=0.0)
 # $\mathbf{r}(s, a, s') + \mathbf{v}$, for all actions $a$ and all $\mathbf{v}$ in $\mathbf{V}(s')$. Nothing follows a terminal state, so its set is $\{(0, 0)\}$.
 
 # %%
-front = exact_front(make_mdp("Diver", concavity=0.5)).returns
+front = exact_front(make_mdp("Diver", concavity=0.0)).returns
 for k, (value, time) in enumerate(front):
     print(f"treasure {k}: value {value:7.4f}, {-time:2.0f} steps")
 
@@ -138,7 +138,7 @@ figures.by_weights()
 # %% [markdown]
 # ## Your turn
 #
-# Turn the line. Can you find a price for treasure 3 at concavity 0.5? And at 0.25? What happens at concavity 1 and a price of 5?
+# Turn the line. Can you find a price for treasure 3 at concavity 0.25? What happens at concavity 1 and a price of 5?
 
 # %%
 sliders(figures.one_weight, price=(0.5, 8.0, 0.25), concavity=(0.0, 1.0, 0.25))
@@ -146,7 +146,7 @@ sliders(figures.one_weight, price=(0.5, 8.0, 0.25), concavity=(0.0, 1.0, 0.25))
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# At concavity 0.5 there is none. At 0.25 there is, at 5.75 and at 6: the dent is so small that only treasure 1 lies in it. At
+# There is, at 5.75 and at 6: the dent is so small that only treasure 1 lies in it. At
 # concavity 1 and a price of exactly 5 treasures 0 and 8 are worth the same, and the agent may pick up either.
 # </details>
 #
@@ -175,7 +175,7 @@ source(ChebyshevQLearning, "look_at", "learn")
 # %% [markdown]
 # ## See inside: two ways to take a distance
 #
-# Here are 18 weights of time, from 0.15 to 60, each with an agent of its own and random dives as above. In the figure a white point is the closest treasure. "The rest of the dive" is our reading of the paper: it compares
+# Here are 18 weights of time, from 0.15 to 60, each with an agent of its own and random dives as above. In the figure a white point is the closest treasure. "The rest of the dive" is our reading of the paper: the agent compares
 # $\mathbf{z}$ with its vectors $\mathbf{Q}(s, a)$. "The whole dive" adds to $\mathbf{Q}(s, a)$ what the dive has brought up to $s$ (in the code, `so_far`).
 #
 # **Predict.** Which of the two picks up the closest treasure for all 18 weights?
@@ -229,7 +229,7 @@ source(ParetoQLearning, "learn", "vectors", "front")
 figures.sets({steps: methods.pareto(0.5, n_steps=steps).front(0) for steps in (200, 500, 5_000)}, 0.5)
 
 # %% [markdown]
-# After 5 000 steps it knows the whole front, in one run and without a weight. It costs memory
+# After 5 000 steps it knows the whole front, in one run; `follow(vector)` then dives for any of them. It costs memory
 # and time: here a set has nine vectors at most, but a front may have thousands of points.
 
 # %% [markdown]
@@ -276,7 +276,7 @@ no_dent.measured("none" if share < 0.05 else "about a third" if share < 0.42 els
 # <details><summary>What was measured</summary>
 #
 # **Measured.** None: 0.0 %. The price comes to rest at 6.17: treasure 3 is the best for prices from 5.84 to 6.41, and after a dive of exactly seven steps
-# the price stays. (In 29 of 1 000 runs it never rested. An aside below says why.)
+# the price stays. (In 29 of 1 000 runs it did not come to rest. An aside below says why.)
 # </details>
 #
 # Now concavity 1. The best dive within seven steps is still treasure 3. But it lies in the dent.
@@ -390,11 +390,11 @@ for label, settings in {
 # (The causes do not add up: with known values and a first price of 0 more dives are long than with new ones. Why, we have not tested.)
 #
 # With known values mainly the slow price is left, and a larger $\eta$ helps. With new values and a first price of 30 only the first values are left. If they are -9 for time in place of 0, so that a new
-# place costs something, some 12 dives take too long in place of the 65: this makes the cause weaker and does not remove it.
+# place costs something, some 12 dives on average take too long in place of the 65: this makes the cause weaker and does not remove it.
 #
 # <details><summary>Why do some runs never come to rest?</summary>
 #
-# They change for ever between two treasures and miss the one between them: with a limit of seven nearly always between 2 and 4. $\mathbf{Q}(s, a)$ also holds the rest of the dive, as it was when this pair was last
+# They change on between two treasures and miss the one between them: with a limit of seven nearly always between 2 and 4. $\mathbf{Q}(s, a)$ also holds the rest of the dive, as it was when this pair was last
 # tried. At a new $\lambda$ another rest may be better, but a greedy agent never goes there to see it. We computed all vectors exactly for the last $\lambda$, by planning, and let the training go on: all 29 runs came to rest. When it just went on, none did.
 # </details>
 
@@ -491,8 +491,8 @@ check(exercise_3, new_price, seed=1, quiet=True)
 #
 # In this environment the reward is the value of the treasure alone, and a step costs nothing: your program counts the steps itself. The check draws
 # other treasures for each of six seas. The last five are always worth most; among the first four any may be the best, and in three seas all four are worth little, though more than 0. In most seas no
-# price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is. (Some numbers are not used.) Count the steps from `reset` on, but keep them out
-# of the state. (Do not compute them from the cell: in two more
+# price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is. (Some numbers are not used.) Count the steps from `reset` on, but the policy
+# sees only the state; within one sea it tells enough. (Do not compute them from the cell: in two more
 # seas the diver begins one or two cells away from the shore.)
 #
 # One way is Q-learning, random dives, and a reward of your own. What is a dive worth that took too long? Try it with `n_steps` = 10 000 in
@@ -541,19 +541,18 @@ check(project_12, my_program)
 # - Chebyshev distances of whole dives found every treasure for the weights that ask for it. Without the steps so far they missed it for most
 #   weights.
 # - Pareto Q-learning found all nine in one run, without weights.
-# - A learned price kept its limit on average, and in most runs each late dive kept it where a treasure that some price prefers takes exactly seven steps (concavity 0).
+# - A learned price kept its limit on average; at concavity 0 in most runs every late dive kept it.
 #   While the price was learned some 70 dives took too long.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* With several objectives a policy is Pareto-optimal if no other is better in one and at least
 # as good in all others. A weighted sum picks the point that a line touches last, so it finds the corners of the upper edge of the convex hull and never one in a dent,
-# however fine you choose the weights. Distances and sets find them; but a distance must know what the dive has brought so far. A Lagrange multiplier is a
-# weight that is learned. It keeps a limit on average, by changing between policies if it must, and breaks it while it learns.
+# however fine you choose the weights. Distances and sets find them; but a distance must know what the dive has brought so far. A learned price (a Lagrange
+# multiplier) keeps a limit on average, by changing between policies if it must, and breaks it while it learns.
 #
 # ### Limits
 # Nothing was random here. With chance a policy has a *mean* vector. For a weighted sum it is the same whether you weigh the mean or single episodes; for a distance or a limit it is not.
-# Pareto Q-learning as written here is for next states without chance. With many objectives a front has very many points. And there are other answers to
-# a limit, for each single episode or with a known model; none was tried here.
+# Pareto Q-learning as written here is for next states without chance. With many objectives a front has very many points.
 #
 # ### Further reading
 # - Roijers, Vamplew, Whiteson and Dazeley (2013), *A survey of multi-objective sequential decision-making*; Hayes et al. (2022), *A practical guide to

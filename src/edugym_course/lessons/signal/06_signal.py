@@ -203,7 +203,7 @@ named.measured(100 * np.trace(joint_table(0.1)))
 # </details>
 #
 # A player who obeys follows wrong words too, and leaves needs that differ more: the highest urgency is 0.04, 0.06 and
-# 0.08 above the second ($\tau = 0.02$, 0.05 and 0.1), not 0.02. So on *its* toy a word carries more. Move the noise, and
+# 0.08 above the second ($\tau = 0.02$, 0.05 and 0.1), not 0.02 as in perfect care. So on *its* toy a word carries more. Move the noise, and
 # see the bits of both toys.
 
 # %%
@@ -276,8 +276,8 @@ Sheet("answers", [panels[:2], panels[2:]])
 # %% [markdown]
 # ## Your turn
 #
-# How much noise can Q-learning stand? (What more words in a message, $L$, and other vocabularies, $H$, change you predict below.) Then turn the knobs of the agent. With a smaller $\gamma$ it looks less far
-# ahead: does it need to? The yellow and the green line show the two players who know the words (with one word they are
+# With a smaller $\gamma$ Q-learning looks less far ahead: does it need to? (What more words in a message, $L$, and other
+# vocabularies, $H$, change, you predict below.) The yellow and the green line show the two players who know the words (with one word they are
 # the same player). (10 repetitions of 200 000 steps. With $H$ below 4 some words are *ambiguous*: they mean two
 # needs or more. The two players then always take the first meaning.)
 
@@ -351,7 +351,7 @@ longer.measured(
 # **Measured.** A lower one, although the message tells nearly four times as much. The table has about 100 000 values,
 # so 200 000 steps are two tries for each *on average*, and a value that is tried twice with $\alpha = 0.02$ has gone only
 # 4 % of the way to its target. So a larger table needs a larger learning rate, or more time: with $\alpha = 0.2$ four
-# words are ahead of one already. In the end $\alpha = 0.05$ is best. None gets as far as the vote, which knows what the words mean. With $\alpha = 0.02$ the hit points cost most: where they
+# words are ahead of one already. In the end $\alpha = 0.05$ is best. None gets as far as the vote. With $\alpha = 0.02$ the whole gap is the hit points: where they
 # are hidden, Q-learning gets 1 830 after 1 600 000 steps (8 runs), as much as the vote.
 # </details>
 
@@ -374,11 +374,11 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
     print(f"τ = {tau:4}, {length:2} words: {carried:.3f} bit, mean return of the vote {mean:.0f}")
 
 # %% [markdown]
-# - **Left.** With one word Q-learning makes nearly full use of it: its line lies nearly on that of obeying.
+# - **Left.** With one word Q-learning nearly equals obeying.
 # - **Right.** The vote turns longer messages into return: 28 words at $\tau = 0.1$ are worth nearly as much as one word at
 #   0.02. Whoever obeys the first word leaves the others unused.
 # - Two words carry nearly twice as much as one, and the vote gets nothing out of it. If they disagree it can only guess.
-# - After 200 000 steps Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
+# - After 200 000 steps with $\alpha = 0.02$ Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
 #
 # **Information, and being able to use it, are two things.** Information that is spread over 28 words is there, and a
 # table cannot find it. (That is what features and networks are for. At the end, in "From a blank file", you write an
@@ -454,7 +454,7 @@ synonyms.measured(slower if curve.iloc[-1] > 0.99 else "ends well below the opti
 #
 # **Measured.** It learns more slowly, and reaches the optimum. Every synonym has rows of its own, and must be learned
 # from nothing. So the more words, the longer it takes: with 64 the 200 000 steps are not enough at $\alpha = 0.02$ (with 0.2, 100 000 are). The two kinds of
-# bad vocabulary are different: synonyms slow learning down, and ambiguous words put a cap on it.
+# bad vocabulary are different: synonyms slow learning down, and ambiguous words put a cap on it (without memory).
 # </details>
 
 # %% [markdown]
@@ -690,7 +690,7 @@ display({f"τ = {tau}": round(float(bits_in(joint_table(tau))), 3) for tau in (0
 
 # %% [markdown]
 # ### Exercise 3: listen and remember
-# The vote hears everything and remembers nothing. The player in turn remembers, and hears nothing. Join them: a need
+# The vote hears everything and remembers nothing. The player that takes turns remembers, and hears nothing. Join them: a need
 # that was met in the last step is usually not the most urgent one now.
 #
 # Write the `act` of a player that
@@ -777,7 +777,7 @@ display(figures.race({"my listener": Listener.create}))
 
 # %% [markdown]
 # ### The open challenge: a moody toy
-# Moods with probability 0.1, drops of 20, four words in a message, $\tau = 0.05$, and 20 000 steps, about 200 episodes.
+# With probability 0.1 in each step one need, drawn at random, falls by 20 (*moods*). Four words in a message, $\tau = 0.05$, and 20 000 steps, about 200 episodes.
 # *All* training episodes count. Nobody who does not see the state can get the optimum, 6 595. The vote gets about two
 # thirds of it, and taking turns a tenth. "Q-learning" in the table has a row for each observation, $\alpha = 0.1$,
 # $\gamma = 0.5$ and $\varepsilon = 0.1$. (The return at the end, one episode, is noisy: look at the average.) How close
@@ -881,7 +881,7 @@ check(project_6, my_program)
 # *Learn it by heart, or better, say it in your own words.* An agent that does not see the state acts on a signal. How
 # much the signal tells about the right action can be counted in bits, and noise takes bits away. But information and
 # being able to use it are two things: a table needs a row for every message, so that long messages and synonyms must
-# be learned one by one, and ambiguous words leave the same mistake for ever. And a signal is not the only source: what
+# be learned one by one, and ambiguous words leave the same mistake for ever, without memory. And a signal is not the only source: what
 # the agent did before tells it something too, as far as the world is predictable.
 #
 # ### Limits

@@ -101,7 +101,7 @@ source(QLearning.learn)
 # the mean of $\delta$ is 0. There the value is the **mean** of the target $R + \gamma \max_a Q(S', a)$. With a fixed
 # learning rate it is a mean in which recent results count more (equation 2.6): roughly the last $1/\alpha$ of them.
 #
-# So two plans with the same mean are the same to Q-learning, even if only one of them sometimes loses the ball. The
+# So two plans with the same mean have the same value, even if only one of them sometimes loses the ball. The
 # *spread* of the return is not in the table. In this lesson we call the standard deviation of the return its spread,
 # and **risk** stands for results that are uncertain.
 #
@@ -228,13 +228,12 @@ highest.measured(seen)
 #
 # **Measured.** Neutral and seeking are level, near 0.82, and the averse player earns about 0.06 less. The other two panels
 # differ more: the averse player loses hardly a ball, the neutral one about 1 in 100, and the
-# seeking one about 3 in 100; the spread grows from less than 0.05 to more than 0.3. So taking more risk than the
-# neutral player did not pay here.
+# seeking one about 3 in 100; the spread grows from less than 0.05 to more than 0.3. So $\beta = 2$ did not pay here.
 #
 # *Seeking.* The order of the swings matters. Runs that drive first earn 0.86. But half of the runs chip first and
 # drive then, from closer to the far edge. They lose more than twice as many balls, and earn 0.78.
 #
-# *Averse.* Of its runs, 8 of 30 have learned to start with a putt, which wastes a hit: 0.70. (With first values of 1 none does.) The others earn 0.78, and
+# *Averse.* Of its runs, 8 of 30 have learned to start with a putt, which wastes a hit: 0.70. The others earn 0.78, and
 # a player who follows a rule and never drives earns 0.79 (exercise 2).
 #
 # *Neutral.* Played without a mistake, the fast plan earns 0.87. But only 11 of the 30 neutral runs start with a drive;
@@ -255,7 +254,7 @@ frames("Golf", results.agents[methods.SEEKING][0], seed=1, observe_hits=True)
 # ## Your turn
 #
 # Move a slider and release it: the experiment is computed again, with 10 repetitions of 100 000 steps. The three players
-# have $-\beta$, 0 and $\beta$. At which level $\ell$ do all three play alike? What does a larger $\beta$ do to the two
+# have $-\beta$, 0 and $\beta$. Up to which level $\ell$ do all three play alike? What does a larger $\beta$ do to the two
 # outer players?
 
 
@@ -302,7 +301,7 @@ sliders(
 # $$
 #
 # Both sides together have the probability 0.053 if 3.5 cells are 1.94 standard deviations, by a table of the normal
-# distribution. That of a drive is $\ell \cdot 10^2$:
+# distribution. The standard deviation of a drive is $\ell \cdot 10^2$:
 #
 # $$
 # \frac{3.5}{100\, \ell} \approx 1.94 \quad\Rightarrow\quad \ell \approx 0.0180
@@ -403,13 +402,13 @@ noisy.measured(seen)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Averse and neutral lose hardly a ball, and seeking loses about one in ten. Beyond the crossing at 0.0187
-# the safe plan is also the best one on average, so the neutral player takes no risk that aversion could avoid. At 0.02
+# the safe plan is also the best one on average. (Below it the neutral player seldom takes the risk, too.) At 0.02
 # seeking earns least of the three, 0.68, and neutral most, 0.76. (Averse is between them, with wide bands.)
 # </details>
 
 # %% [markdown]
 # ### What noise does to learning
-# The paper says that noise slows learning. The mean return shows it only in part, as the first 1 000 steps bring most of the
+# The paper (Moerland et al., 2023) says that noise slows learning. The mean return shows it only in part, as the first 1 000 steps bring most of the
 # way to the optimum, with noise and without. So we also ask how many runs are *near* the optimum, within 0.01.
 
 # %%
@@ -496,11 +495,10 @@ cause.measured("both changes bring as many" if abs(more) < 0.1 else larger)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** With the rest of the game known, by far. Smaller steps alone bring few; once the rest is known, they
+# **Measured.** With the rest of the game known, by far. Smaller steps alone bring few (with them rare cells rise from 0 more slowly, too); once the rest is known, they
 # bring the last runs too.
 #
-# The averse player is farther off still: it believes 0.33, where 0.83 would be right for it. With the rest of the
-# game known it believes 0.75, but only 8 of 100 runs drive: one lost ball moves its value by 0.07, and the lead of the drive is only 0.04.
+# The averse player is farther off still: it believes 0.33, where 0.83 would be right for it.
 # </details>
 
 # %% [markdown]
@@ -517,8 +515,7 @@ for label, one in players.items():
     print(f"neutral, {label:23}: mean return {one.mean.mean():.3f}, {drivers:.0%} of the runs take the risk")
 
 # %% [markdown]
-# All patient runs take the risk, and their mean is nearly the optimum. Without the longer training it is lower. (A step
-# size that falls with the visits $n$ to a pair, $\alpha = n^{-0.7}$, does as well in 300 000 steps, from first values of 0: 0.868, and all of 40 runs drive.)
+# All patient runs take the risk, and their mean is nearly the optimum. Without the longer training it is lower.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: "Risk-seeking pays"?
@@ -552,8 +549,7 @@ pays.measured("the same, within 0.01" if abs(lead.estimate) < 0.01 else more)
 
 # %% [markdown]
 # So does risk-seeking pay? Before we believe it, we compare the two where the hits are seen, at a level at which the
-# drive is *not* the best swing, and against a neutral player who knows that it is: the patient one (3 000 000 steps, 10
-# repetitions).
+# drive is *not* the best swing, and, at 0.015, against the patient player (3 000 000 steps, 10 repetitions).
 
 # %%
 noisier = methods.play(methods.learn(level=0.02, risks=two), level=0.02)
@@ -572,12 +568,12 @@ for condition, players in {
 
 # %% [markdown]
 # - At level 0.015 the drive *is* the best swing on average, and many neutral learners avoid it. With $\beta = 2$ an agent is
-#   pushed towards the drive. (With $\alpha = 0.1$ seeking runs earn 0.06 more where the hits are seen, too.)
+#   pushed towards the drive.
 # - Where the hits are seen the seeking player leads only after ten times the training, by 0.03. Against the patient player, who is neutral and drives, the lead is gone.
 # - At level 0.02, where the drive is not the best swing, the same $\beta = 2$ costs dearly.
 #
-# So risk-seeking does not pay as such: a player who knew the true values could never gain by it. It *can* make up for
-# another fault.
+# So risk-seeking does not pay as such: a player who knew the true values could never gain by it. We think that it
+# can make up for another fault.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: is risk the variance?
@@ -676,7 +672,7 @@ from edugym_course.lessons.stochasticity.exercises import CHALLENGE, exercise_1,
 
 # %% [markdown]
 # ### Exercise 1: change a parameter
-# Allow 5 hits instead of 10. Then each hit more costs 0.2 instead of 0.1: the fast plan returns 0.8, and the safe plan
+# Allow 5 hits instead of 10 (`max_hits=5`). Then each hit more costs 0.2 instead of 0.1: the fast plan returns 0.8, and the safe plan
 # 0.6. Up to which level is the drive from the tee worth at least as much as the chip now? Set `level` to that number,
 # rounded to four decimals. Before you compute: what does the estimate by hand say?
 # (`from statistics import NormalDist`; `-NormalDist().inv_cdf(p / 2)` gives the number of standard deviations; each
@@ -853,7 +849,7 @@ display(
 #
 # With $\kappa = 0.5$ your agent plays much like the averse player, and with $\kappa = -0.5$ it takes more
 # risk than the neutral one: other weights, the same idea. $\kappa = -0.5$ also has the highest mean of the five. Many
-# neutral learners are too careful at this level, so a push can help. $\beta = 2$, with steps as small as $\alpha = 0.02$, leaves half of its runs at the worse
+# neutral learners are too careful at this level, so a push can help. $\beta = 2$ leaves half of its runs at the worse
 # order. With $\kappa = -0.5$, 23 of 30 runs drive first.
 #
 # Try it where the drive is not the best swing: give `race` an empty dictionary instead of `played`, and `level=0.02`,
@@ -869,8 +865,8 @@ display(
 # its action space. It needs `act` and `learn`, like yours of exercise 3, and it may explore as it likes. It is trained
 # ten times, with seeds that belong to your name.
 #
-# The best expected return is 0.868. Your points are your mean return divided by that, in percent. The three players of
-# the lesson are the ones to beat. (The "return at the end" is a mean over few games, so by luck it can be above 0.868.)
+# The best expected return is 0.868. Your points are your mean return divided by that, in percent. The agent below is the
+# one to beat. (The "return at the end" is a mean over few games, so by luck it can be above 0.868.)
 #
 # Write half a page about your agent. What does it do about rare places, about chance, and about exploring? What would you change for a level of 0.02?
 
@@ -946,7 +942,7 @@ check(project_8, my_program)
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Where results differ by chance, a value is a mean over many
-# of them, and so to get it right takes many visits, and steps that become small. A mean does not tell how far
+# of them, and so to get it right takes many visits, and small steps. A mean does not tell how far
 # the results lie apart. Risk-sensitive Q-learning weighs bad surprises more (or less) than good ones, which for normal
 # rewards adds $\beta/2$ times the variance to the mean. So it moves the point at which a risk stops being worth taking.
 # Safety can have a price in the mean. No risk-seeker earns more on average than the best neutral player; it can
