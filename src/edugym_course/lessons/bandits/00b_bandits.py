@@ -193,9 +193,9 @@ later.measured(later.options[2 if second > 0.9 * methods.slope(methods.EPSILON) 
 
 # %% [markdown]
 # On the right, pulls are on a logarithmic axis: what becomes a straight line there, as $C \ln t$ is, grows as a logarithm. On the left one sees that UCB (160), Thompson sampling (108) and the gradient bandit (162) pay less and less for a pull.
-# These three and the falling ε end *below* the bound, which is no contradiction: it speaks of how fast regret grows in the long run, not of its height after 10 000 pulls. After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
+# These three and the falling ε end *below* the bound, which is no contradiction: it speaks of the long run, and only of strategies that are good on every bandit. After 100 pulls $C \ln t$ is 102, and even random pulls cost only 18.
 #
-# Optimism tries all arms in the beginning, until its first values have come down. Its regret goes on growing after that, though in the end 94 % of its runs pull the best arm. The likely reason: with a constant $\alpha$ the values never come to rest, so now and then a worse arm looks best.
+# Optimism tries all arms in the beginning, until its first values have come down. Its regret goes on growing after that. A third of it is paid by the 6 % of the runs that do not pull the best arm in the end. In the others the values, with a constant $\alpha$, never come to rest, so now and then a worse arm looks best.
 
 # %% [markdown] tags=["aside"]
 # ### Aside: a softmax of the means
@@ -286,7 +286,7 @@ dearest.measured(max(dearest.options, key=paid.get))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 0.05: regret first rises with the gap, and then falls. With a gap of 0.01 UCB cannot find the best arm in 10 000 pulls, but no pull costs more than 0.01: random pulls cost 90 in all, and UCB pays 86. With a large gap every mistake is dear, and
+# **Measured.** 0.05: UCB's regret first rises with the gap, and then falls. With a gap of 0.01 UCB cannot find the best arm in 10 000 pulls, but no pull costs more than 0.01: random pulls cost 90 in all, and UCB pays 86. With a large gap every mistake is dear, and
 # seen at once. In between, mistakes are dear enough to hurt and small enough to hide.
 # </details>
 
@@ -494,8 +494,8 @@ check(project_0b, my_program)
 # - Greedy finds the best of ten arms in 15 % of the runs: it stays with the first arm that pays.
 # - ε-greedy's regret goes on growing evenly, by 0.018 a pull. With a falling $\varepsilon$, UCB, Thompson sampling and the gradient bandit it grows ever more slowly.
 # - After 10 000 pulls ε-greedy has paid 240, a falling $\varepsilon$ 181, UCB 160, Thompson sampling 108. To try each arm 100 times first costs 180.
-# - In 10 000 pulls regret first rises with the gap and then falls: what is hardest to find out is not what costs most.
-# - Where arms drift about ten times in a run, ε-greedy pays less with a constant learning rate than with sample averages; where they do not, it pays more. Where arms drift UCB pays least; without its bonus, more than twice as much.
+# - In 10 000 pulls the regret of UCB and of Thompson sampling first rises with the gap and then falls: what is hardest to find out is not what costs most.
+# - Where arms drift about ten times in a run, ε-greedy pays less with a constant learning rate of 0.1 than with sample averages; where they do not, it pays more. There UCB paid least, and without its bonus more than twice as much.
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* Only a pull shows how well an arm pays, and a pull of a worse arm costs. Nobody tells an agent when it may stop looking, so it must go on, but less and less. Greedy looks too little and stays with an arm that was lucky first, ε-greedy looks

@@ -323,7 +323,7 @@ for sigma, results in by_sigma.items():
     print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 %: {gap.low:+.2f} to {gap.high:+.2f})")
 
 # %% [markdown]
-# Among the runs that pass, Monte Carlo ends behind at each of these $\sigma$, even without any noise. So noise of the
+# Among the runs that pass, Monte Carlo ends behind at each of these $\sigma$, even without any noise. (In the mean over all runs it need not.) So noise of the
 # rewards cannot be the only reason. "See inside" gives one reason.
 
 # %% [markdown] tags=["aside"]
@@ -351,8 +351,7 @@ noisy.measured("the same, within 0.3" if abs(change) < 0.3 else "better" if chan
 # again which action looks best. So Monte Carlo, taken by itself, does not suffer here: noise brings it more than it costs.
 #
 # *Compared with $n = 1$* it does, as the paper says, for $n = 1$ gains more. Over 300 other layouts $n = 1$ ends with 6.2
-# at $\sigma = 0$ and with 7.8 at $\sigma = 1$, and Monte Carlo with 6.5 and 7.5. Where both pass it is the other way
-# round: there noise blurs $n = 1$ more. Its lead is 0.37 at $\sigma = 0$, 0.25 at 1 and 0.07 at 5.
+# at $\sigma = 0$ and with 7.8 at $\sigma = 1$, and Monte Carlo with 6.5 and 7.5.
 # </details>
 
 # %% [markdown]
@@ -418,7 +417,7 @@ sliders(
 Sheet("bias", [[figures.bias_series()]])
 
 # %% [markdown]
-# - *Early*, while all values are 0, every target that bootstraps misses the exam: it is 8 to 9 too low. Only $n = 10$,
+# - *Early*, while all values are 0, every target that bootstraps misses the exam: for this good policy it is 8 to 9 too low. Only $n = 10$,
 #   Monte Carlo, sees the exam.
 # - *Late*, once the values are true, bootstrapping adds exactly what it leaves out, so every $n$ has the right mean.
 #
@@ -706,8 +705,7 @@ suffers.measured(max(loss, key=loss.get))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Monte Carlo and $n = 5$ lose most, and $n = 1$ least. As the paper says, actions without effect make deep methods
-# suffer, at this $\alpha$. But not by their variance: in four runs of five Monte Carlo *never passed the exam at all*. So for
-# Monte Carlo this is a problem of exploration, not of credit. (For $n = 3$ and $n = 5$ it is something of both. The first
+# suffer, at this $\alpha$. But Monte Carlo does not lose the exam: in four runs of five it *never found it*. (The first
 # aside below takes the runs apart.)
 # </details>
 
@@ -786,8 +784,8 @@ wary.measured(more)
 # states that it visited. That $n = 1$ gains more from them with ten actions, because it hands them *back*, is still our guess.
 #
 # But optimism does not explain who is ahead *here*, from −5. Monte Carlo meets the exam a little more often (in 52 % and 41 % of 400 runs). Most of the difference comes after
-# that: Monte Carlo hands a pass to all days at once. With $n = 1$ it goes back one day at a time, through values that
-# start far too low. That is credit, and not exploration.
+# that: Monte Carlo hands a pass to all days at once. Our guess: with $n = 1$ it goes back one day at a time, through values that
+# start far too low.
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -865,8 +863,7 @@ check(exercise_1, quiet, seed=1, quiet=True)
 display(figures.race({"quiet": quiet}, repetitions=30))
 
 # %% [markdown]
-# At this learning rate it passes in about 70 % of the runs, and with $\varepsilon = 0.1$ in about 90 % (200 runs). It tries a few things at first, since all it has tried was worse than
-# 0. But it stops at the first plan that looks best, and on many layouts it never passes. Where it passes, it is no closer to the optimum. With $\alpha = 0.01$ it passes in some 97 %: each bad return then lowers
+# At this learning rate it passes in about 70 % of the runs, and with $\varepsilon = 0.1$ in about 90 % (200 runs). On many layouts it never passes. Where it passes, it is no closer to the optimum. With $\alpha = 0.01$ it passes in some 97 %: each bad return then lowers
 # a value only a little, so it takes one action after another. Better: explore, and do not learn from exploring actions as if they were
 # its policy.
 #
@@ -1022,8 +1019,8 @@ for panel in race.rows[0]:
 # Eight actions, five of them useless, and 10 000 steps in all. In this challenge actions are free ($r_a = 0$ but for noise, $\sigma = 0.2$), so the
 # optimum is 10 on every layout. Write an agent of your own. It is tried on ten layouts that belong to your name, and
 # nobody else has the same ones. It is told only its observation space and its action space. It needs `act(state, rng)` and `learn`, which asks by name for what it needs, as in exercise 3. Its points are its average
-# return (of evaluation episodes) over training, in percent of 10. For 100 points an agent would have to know the task before it starts; more
-# than the best of the three baselines is good, and 80 is very good.
+# return (of evaluation episodes) over training, in percent of 10. For 100 points an agent would have to know the task before it starts; clearly
+# more than the best of the three baselines is good, and 80 is very good.
 #
 # Everything is allowed that learns from its own steps. Half a page with it: how does your agent find the exam for the
 # first time, how does it hand the reward back, and where would it fail?

@@ -119,7 +119,7 @@ source(HindsightQLearning, "learn_in_hindsight", "update")
 
 # %% [markdown]
 # (A row of its table is a pair of a state and a goal, S‖G in the code. `reward_at_goal` is 0, and `reward_elsewhere` is $-1$.) Here it
-# learns from the episode above, with 'final' (a row of the table is 8 times the pattern, plus the goal). All values were $-9$ before, so that you see which have changed.
+# learns from the episode above, with 'final' and $\alpha = 1$, the last step first. (The number of a row is 8 times the pattern, plus the goal.) All values were $-9$ before, so that you see which have changed.
 
 # %%
 agent = HindsightQLearning.create(
@@ -139,12 +139,7 @@ for row, action in np.argwhere(agent.Q != -9.0):
 # ### The same for a network
 # A table learns each pair of a state and a goal alone. A network that sees both patterns has one set of weights for all
 # pairs. `HindsightDQN` is the DQN of lesson 4; its memory gets each transition again, with other goals.
-# (Here `row` is the place of a transition in it, no longer a pair, and `goal_row` that of the step whose pattern becomes its goal.)
-
-# %%
-source(HindsightDQN.remember_for)
-
-# %% [markdown]
+#
 # Other libraries do it in the same way. They ask a *goal environment* for its rewards, by a convention of
 # Gymnasium-Robotics: an observation is a dictionary with what is achieved and what is desired, and `compute_reward` takes
 # any achieved and any desired goal.
@@ -197,7 +192,7 @@ who.measured(names.get(close, "all three"))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 'final' and 'future', and 'future' gets there first. Without hindsight the network has learned nothing at
-# all, not even in 200 000 steps (it returned −7.97). (The end may lie a little above the dashed
+# all, not even in 200 000 steps (it returned −7.97). (In the paper plain DQN managed up to 13 switches, with other settings.) (The end may lie a little above the dashed
 # line, if 100 episodes happen to have somewhat nearer goals.)
 # </details>
 
@@ -230,7 +225,7 @@ sliders(one_network, n_switches=(2, 9), hindsight=["no hindsight", "final", "fut
 # %% [markdown]
 # ## See inside: where are the rewards?
 #
-# DQN learns from what is in its memory. Here is the memory after 1 000 steps of agents that do not learn yet. How many
+# DQN learns from what is in its memory. Here is the memory after 1 000 steps of networks that have not learned yet ($\varepsilon = 0.1$). How many
 # of its transitions reach their goal?
 
 # %%
@@ -239,7 +234,7 @@ for strategy in ("no hindsight", "final", "future"):
     print(f"{strategy:12}: {share:.1%} of the transitions reach their goal")
 
 # %% [markdown]
-# With 'future' the share is some hundreds of times as large. Now ask the networks what they believe: the value of the best action,
+# Now ask the networks what they believe: the value of the best action,
 # by how many switches are wrong. The dashed line is true.
 
 # %%
@@ -294,8 +289,8 @@ at_random.measured(at_random.options[0 if end < -6.5 else 1 if end < -4.0 else 2
 # %% [markdown]
 # ### Is it only more data?
 # With 'future' five times as many transitions go into the memory (the network makes hardly more updates). Perhaps their number helps, and not their goals? Take as $g'$ a
-# pattern that *another* episode achieved. As many transitions go into the memory as with 'future', with honest rewards, and
-# only the goals are others. (In the code a step before the episode has a negative number, and `FAR_BACK` is 64.)
+# pattern that one of the last episodes achieved, but not *this* one. As many transitions go into the memory as with 'future', with honest rewards, and
+# only the goals are others. (In the code a step before the episode has a negative number.)
 
 # %%
 source(methods.OtherEpisodes.achieved_after)
@@ -325,7 +320,7 @@ elsewhere.measured("nothing" if end < -7.5 else "more slowly" if end < -3.5 else
 
 # %% [markdown]
 # ### And a table?
-# Now a table with 'future'. With $\alpha = 1$ nothing needs to be averaged, since nothing is random. With four switches a table
+# Now a table with 'future', and $\alpha = 1$, since nothing is random. With four switches a table
 # learns all in 15 000 steps, with hindsight or without. With eight there are $4^8 = 65\,536$ pairs of a state and a goal,
 # and eight actions in each. All values start at 0.
 #
@@ -337,7 +332,7 @@ tabular
 
 # %%
 four, both, low = methods.tables(4), methods.tables(8), methods.tables(8, first_value=-8.0)
-by_title = {"table, 4 switches": (4, four), "8 switches": (8, both), "8 switches, values start at −8": (8, low)}
+by_title = {"table, 4 switches": (4, four), "table, 8 switches": (8, both), "8 switches, values start at −8": (8, low)}
 display(figures.learning_curves(by_title))
 print("all values in the table with eight switches:", *np.unique(both.agents["future"][0].Q).round(2))
 print(f"with first values of −8 it returns {low.final('future').mean():.1f} with 'future'")
@@ -347,7 +342,7 @@ tabular.measured(both.final("future").mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** About −7.9, as if it had learned nothing. Every reward is 0 or $-1$, so no value can be higher than the
-# first ones, 0. For each goal a flip that was never tried is worth 0, so the maximum at the next pattern stays 0. A flip that misses the goal is therefore
+# first ones, 0. For each goal a flip that was never tried is worth 0, so the maximum at the next pattern stays 0 while such a flip is left there. A flip that misses the goal is therefore
 # worth $-1$, however far the goal is, and the last flip is worth 0, like one that was never tried. So the greedy policy prefers what was never tried. (This is the optimism of lesson 1.) On the right the values start at
 # $-8$: this table returns about −5.2 with 'future', and about −7.8 without hindsight.
 #
@@ -537,8 +532,8 @@ check(project_11, my_program)
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A universal value Q(s, g, a) says what an action is worth for a goal.
 # An episode that misses its goal still reaches others, and hindsight learns its steps again for these, with the rewards that
-# the task would have paid. This neither explores nor changes the task: the steps are the same, and more transitions reach their goal.
-# A network then generalises over states and goals; a table learns each pair by itself.
+# the task would have paid. This changes neither the task nor the steps it learns from: more transitions reach their goal.
+# A network then generalises over states and goals (our reading); a table learns each pair by itself.
 #
 # ### Limits
 # Goals must have no part in the dynamics, the reward for any goal must be known, and the method must be off-policy. Hindsight

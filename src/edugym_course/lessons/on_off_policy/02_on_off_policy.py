@@ -85,8 +85,7 @@ play("Roadrunner")
 # ## The idea: which policy do the values belong to?
 #
 # Two policies are at work in an agent that learns. The **behaviour policy** chooses the actions. Here it is ε-greedy:
-# with probability $\varepsilon$ it *slips*, that is, it takes an action at random (which may happen to be the best one;
-# in lesson 1 only the others counted as slips), and otherwise it takes the action with the largest value. The **target
+# with probability $\varepsilon$ it *slips*, that is, it takes an action at random (which may happen to be the best one), and otherwise it takes the action with the largest value. The **target
 # policy** $\pi$ is the one whose values are learned.
 #
 # - A method is **on-policy** if both are the same: it learns what its own behaviour is worth, slips included.
@@ -138,7 +137,7 @@ for _ in range(500):
         next_action = agent.act(next_state, rng)
         agent.learn(state, action, reward, next_state, next_action, terminated)
         state, action, total = next_state, next_action, total + reward
-print("return of the last episode:", total)
+print("return of the last episode, slips included:", total)
 
 # %% [markdown]
 # And this is the loop that really runs when you call `train` or `repeat`. It asks the rules of the road themselves, `mdp`,
@@ -264,7 +263,7 @@ frames("Roadrunner", actions)
 # %% [markdown]
 # ## Your turn
 #
-# What makes the gap between Q-learning and SARSA wider, and what closes it? Try the reward of a `fall`, and $\varepsilon$.
+# What makes the gap (what SARSA earns more than Q-learning while exploring) wider, and what closes it? Try the reward of a `fall`, and $\varepsilon$.
 # Find a road, by its length $W$, on which both learn the same run. What does a large learning rate do, and to which method?
 # Move a slider and release it: the experiment is computed again, with 10 repetitions of 50 000 steps. (Some lines lie on
 # each other, and a line that is missing lies below the panel. On some roads, as with $W = 8$, a safe run is as short as the
@@ -293,7 +292,7 @@ sliders(
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** "The gap" is what SARSA earns more than Q-learning while exploring.
+# **Measured.**
 #
 # - **fall.** The gap is 3.9 at −200, 1.5 at −100 (1.7 above, with 200 000 steps) and 0.3 at −50. At −30
 #   Q-learning is ahead.
@@ -351,7 +350,7 @@ change.measured(lines.change)
 #
 # **Measured.** 0.032, so the estimate was close. In this figure the upper one of the two lines is the best ε-soft policy:
 # the fast run up to there, and from there on a safe run (the two safe runs differ by 0.001 at most where the second is better). At $\varepsilon = 0.1$ the fast run ends badly in 6.8 % of all
-# episodes, and the safe run in 4.1 %: a slip in the first step stalls in $\varepsilon / 3$ = 3.3 % of them.
+# episodes, and the safe run in 4.1 %: a slip in the first step stalls in $\varepsilon / 3$ = 3.3 % of all episodes.
 # </details>
 
 # %% [markdown]
@@ -456,8 +455,8 @@ decay.measured(
 #
 # **Measured.** Q-learning and expected SARSA. The target of expected SARSA contains $\varepsilon$ itself: when
 # $\varepsilon$ falls, the danger falls with it in every state that is still visited. Its agents change to the fast
-# run between two evaluations, at $\varepsilon = 0.036$ and at 0.031, and the exact model says 0.032. SARSA keeps to the safe run: the
-# less it slips, the less often it tries the fast run, and what it does not try it does not correct.
+# run between two evaluations, at $\varepsilon = 0.036$ and at 0.031, and the exact model says 0.032. SARSA, put off by drawn slips
+# as above, keeps to the safe run, we think: it tries the fast run too seldom to correct that.
 #
 # (SARSA converges to the optimum if it tries every action infinitely often while $\varepsilon$ and $\alpha$ go to 0 at the
 # right pace; Sutton and Barto, section 6.4 and equation 2.7. None of that is so here.)
@@ -492,7 +491,7 @@ on_ice
 # %%
 slippery = methods.compare(environment=icy_road, repetitions=10)
 steps = [len(methods.greedy_run(agent)) - 1 for agent in slippery.complete_agents("Q-learning").values()]
-print("steps of its greedy run, once the ice has melted:", steps)
+print("steps of its greedy run, on the dry road:", steps)
 print(f"the optimum on ice {value_iteration(finite_model(icy_road), horizon=50).start:.3f}")
 print(f"the best ε-soft policy on the dry road, ε = 0.1: {exact.best_soft_return(model, 0.1):.3f}")
 often = {name: np.mean(np.array(steps) == n) for name, n in (("the fast run, as before", 4), ("the safe run", 5))}
@@ -530,7 +529,7 @@ rough.measured(max(losses, key=losses.get))
 # **Measured.** SARSA. In the figure its line crosses that of Q-learning near $\alpha = 0.3$, and at 0.5 it lies below.
 # Its targets draw $A'$ at random. Expected SARSA is the same method without the draw, and like Q-learning it does not
 # mind even $\alpha = 0.7$. So it is the draw: with a large learning rate the values of SARSA follow, we think, the last
-# few actions $A'$, slips or not. This is Figure 6.3 of Sutton and Barto, on another cliff.
+# few actions $A'$, slips or not. Compare Figure 6.3 of Sutton and Barto, on another cliff.
 # </details>
 
 # %% [markdown] tags=["aside"]
@@ -592,8 +591,7 @@ stop.measured(np.mean(methods.stopping_places(zone, "SARSA", stop_zone=2)))
 #
 # **Measured.** Between 8 and 9. Q-learning always stops at the edge, and SARSA before it, in cell 8, in more than half of
 # its runs. This is the paper's picture of the two. Expected SARSA stops in cell 8 in all its runs, which
-# is the best for $\varepsilon = 0.2$. The other runs of SARSA were unlucky again, we think: the two ways part at position 1, where
-# their values differ by 0.5, and one slip can take more than that off the better one. With $\alpha = 0.003$ all but one stop in cell 8.
+# is the best for $\varepsilon = 0.2$. The other runs of SARSA were unlucky again, we think. With $\alpha = 0.003$ all but one stop in cell 8.
 # </details>
 
 # %% [markdown]
@@ -839,7 +837,7 @@ check(project_2, my_program)
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* A learning agent follows one policy, its behaviour policy,
 # and learns the values of one, its target policy. If they are the same, the method is on-policy: SARSA and expected
-# SARSA learn what their own exploring costs, and stay away from the edge if they slip often (SARSA, here, also if it slips rarely). If they differ, it is
+# SARSA learn what their own exploring costs, and stay away from the edge if they slip often. If they differ, it is
 # off-policy: Q-learning learns the best run for an agent that never slips, and pays for it while it slips often. What
 # is best depends on how often the agent will slip when it matters. SARSA draws its next action at random, which adds
 # noise; expected SARSA takes the mean, and can evaluate any policy.

@@ -121,8 +121,8 @@ more.measured(more.options[0 if change > 3 else 2 if change < -3 else 1])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Less. With more roll-outs each value comes closer to its mean, the value of *random play* after the first step. That is the
-# wrong value to know exactly. The best action by these values gets 59 (dotted line, computed exactly): it leaves with one item (with two it would get 78). With 300 simulations the values still have errors, and here these help: 68.
-# UCT need not stop there: where it comes often, its tree also chooses later actions. It gets 81 with 1000 simulations, but no more with 3000. The exact
+# wrong value to know exactly. The best action by these values gets 59 (dotted line, computed exactly): it leaves with one item (with two it would get 78). With 300 simulations the values still have errors, and it gets 68.
+# UCT gets 81 with 1000 simulations, but no more with 3000. (Its tree also chooses later actions; that may be why it gets more.) The exact
 # look-ahead of 20 steps gets 95.
 # </details>
 
@@ -207,10 +207,10 @@ highest = methods.told("well", highest=True, repetitions=20).mean()
 print(f"told the value of good play, c = 10: {highest:.0f} if a value is the highest return, and not the mean")
 
 # %% [markdown]
-# Better judges alone: 78. A smaller $c$ alone: 63. Both: 95. So it takes both.
+# Better judges alone: 78 instead of 80. A smaller $c$ alone: 63. Both: 95.
 #
 # - Why 78 with good judges and $c = 10$? A value in the tree is the mean over all tries, the poor ones too: if it is the *highest* return of these tries, UCT gets 95. Ten times as many simulations are no cure here: 78, too.
-# - Told the value of random play, it gets 59, as plain roll-outs do in the long run.
+# - Told the value of random play, it gets 59, too.
 
 # %% [markdown]
 # ## Predict, then check
@@ -238,7 +238,7 @@ crowded.measured(crowds[16].mean())
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** −32. Most episodes end without the exit, cut off after 100 steps (three items then come to 75 − 100 = −25). Is the tree to blame, which has 16 branches at each node now? Or
+# **Measured.** −32, and 18 of 20 episodes get less than 0 (three items without the exit come to 75 − 100 = −25). Is the tree to blame, which has 16 branches at each node now? Or
 # the roll-outs, in which 15 of 20 steps stand still? It takes both: with the twelve actions only in the tree UCT gets 52, and with them only in the roll-outs 63. If the twelve
 # *repeat* the four directions instead, UCT gets 67. This may be one reason why programs that play well seldom roll out at random: they
 # use a policy or a value that was learned.
@@ -266,7 +266,7 @@ short.measured(short.options[0 if plain[3000] > plain[300] + 3 else 2 if plain[3
 # <details><summary>What was measured</summary>
 #
 # **Measured.** More. So the direction depends on what the values come to. Even with the right model the *shorter* look is the better
-# one for very many plain roll-outs: 78 against 59. Where random play is all that they see, a deeper look is better only up to 8 to 10 steps.
+# one for very many plain roll-outs: 78 against 59.
 # </details>
 
 # %% [markdown]
@@ -300,7 +300,7 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 #
 # **Measured.** Less than 59: it gets −50. The longer look gets as far as the door. It collects two items, goes where the door should be, and walks into the wall until the episode is cut off. It plans anew before each step, and finds
 # the same plan each time. With 8 steps the door changes no value on the way. On the right map a deeper look was never worth less. Three controls point to the door: take it away, put it
-# where it is of no use, or write into the map what your own steps show; then 20 steps beat 8. It came out alike with a discount of 0.9, and with a door in the two other cells of that wall. In other cells a door can be harmless, or harm both depths.
+# where it is of no use, or write into the map what your own steps show; then 20 steps beat 8. (Below 8 steps neither map is ahead throughout.)
 #
 # UCT loses on the old map, too, though less. Told what each place is worth there, it gets −50, as the exact look-ahead does.
 #
@@ -309,13 +309,13 @@ deep.measured(deep.options[0 if worth > 90 else 1 if worth > 62 else 2 if worth 
 # </details>
 
 # %% [markdown]
-# Not every wrong model is like that. Let all rewards of the model have errors, with a standard deviation of 1. ("No step seems to pay": what costs in truth costs at
+# Not every wrong model is like that. Let all rewards of the model have fixed errors, with a standard deviation of 1. ("No step seems to pay": what costs in truth costs at
 # least a little in the model, too.)
 
 # %%
 for name, pay in (("a step may seem to pay", True), ("no step seems to pay", False)):
-    short, long = np.array([plans.with_errors(k, (8, 20), steps_pay=pay) for k in range(1, 301)]).T
-    for steps, got in ((8, short), (20, long)):
+    eight, twenty = np.array([plans.with_errors(k, (8, 20), steps_pay=pay) for k in range(1, 301)]).T
+    for steps, got in ((8, eight), (20, twenty)):
         print(f"{name:23} {steps:2} steps get {got.mean():3.0f}, and -100 in {(got == -100).sum():2} of 300 models")
 
 # %% [markdown]
@@ -361,7 +361,7 @@ from edugym_course.lessons.search.exercises import exercise_1, exercise_2, exerc
 # %% [markdown]
 # ### Exercise 1: the upper bound
 # Return the number by which UCT selects an action: `q` is its mean return in this node, `n_action` how often it was tried there, `n_node` how many choices the
-# node has seen, the present one included (the check also gives 0, where nothing was tried). What was never tried comes before everything else: its bound is infinite.
+# node has seen, the present one included; the check also gives 0, where nothing was tried. What was never tried comes before everything else: its bound is infinite.
 #
 # <details><summary>Hint</summary><code>float("inf")</code> is larger than every number.</details>
 
@@ -454,7 +454,7 @@ check(exercise_3, look_ahead, seed=1, quiet=True)
 # - $\gamma = 0.9$ and $c = 5$. What was never tried in a node comes first; among equals draw one (at the very end you may also return the first).
 # - Return the action with the highest value in the root, of those that were tried there: there may be fewer simulations than actions. Random numbers come from `rng = np.random.default_rng(seed)`.
 #
-# The check sets it riddles: tiny tasks, each of which needs one part of the search. States and actions have other numbers each time.
+# The check sets it riddles: tiny tasks, each of which needs one part of the search. States and actions are renumbered each time.
 # <details><summary>A plan</summary>Keep a dictionary: for each node two lists, counts and values. A node may be the tuple of what led to it: (), then (action, state), and so on. (A table with one entry a state, in which all ways to it meet, is accepted as well.) A function
 # that simulates from a node on, and calls itself for the next one, backs up by itself: it returns its return.</details>
 
