@@ -3,12 +3,15 @@
 import traceback
 from typing import Any
 
+import numpy as np
 import pytest
 
 from edugym import QLearning, train
 from edugym.compiled import compiler
+from edugym.compiled.numba_setup import CompilationError
 from tests.compiled.cells import WALK, cell
 from tests.compiled.late_programs import both_ways, method_both_ways, method_program, task_program
+from tests.compiled.oracle import loop
 from tests.compiled.programs import program
 
 FIELDS = "Q: np.ndarray\n    N: np.ndarray\n    n: np.ndarray"
@@ -340,38 +343,54 @@ def test_tasks_made_at_random(seeds: range) -> None:
     assert not wrong
 
 
-@pytest.fixture
-def stopped_in(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """The functions in which builds of the next test end by an error."""
-    names, build = list[str](), compiler._build
+@pytest.mark.usefixtures("compiled_at_once")
+def test_compiling_that_takes_too_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is given up with a sentence, and the run goes on; the build stops, but only between two passes of Numba."""
+    stopped_in, build = list[str](), compiler._build
 
     def watched(*arguments: Any) -> Any:
         try:
             return build(*arguments)
         except BaseException as error:
-            names.append(traceback.extract_tb(error.__traceback__)[-1].name)
+            stopped_in.append(traceback.extract_tb(error.__traceback__)[-1].name)
             raise
 
+    monkeypatch.setattr(compiler, "MOST_SECONDS", 0.0)
     monkeypatch.setattr(compiler, "_build", watched)
-    return names
+    notebook = cell(WALK.replace("-0.25", "-0.75"))  # which no other test has compiled
+    with pytest.warns(UserWarning, match="compiling takes longer than 0 s"):
+        run = train(notebook["Walk"](5), QLearning.create((6, 2)), 6_000)
+    assert run.complete
+    assert stopped_in == ["on_start"]  # the loop of evaluations reaches the same class, and is not tried
 
 
-PAYING = WALK.replace("-0.25", "-BUMPS[0]").replace("class Walk", "BUMPS = (0.75,)\nclass Walk")
+SMALL = """class Small(NamedTuple):
+    row: tuple
+    def f(self, x, rng):
+        return x + self.row[0] + G[0]
+G = (1.0,)
+"""
 
 
-@pytest.mark.usefixtures("compiled_at_once")
-def test_compiling_that_takes_too_long(monkeypatch: pytest.MonkeyPatch, stopped_in: list[str]) -> None:
-    """It is given up with a sentence, and the run goes on; the build stops, but only between two passes of Numba.
+def test_what_was_given_up_is_tried_again_once_something_is_different(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Tuples of another length may take less; so may a method that reads another value."""
+    notebook, rng, out = cell(SMALL), np.random.default_rng(0), np.zeros(1)
 
-    The loop of evaluations, which reaches the same methods, is not tried. The same methods with other values are.
-    """
+    def other_loop(n: int, thing: Any, rng: Any, out: Any, carry: Any) -> Any:
+        return thing.f(carry, rng)
+
+    def build(run: Any, row: tuple[float, ...]) -> None:
+        compiler.compiled(run, 1, notebook["Small"](row), rng, out, 0.0)
+
     with monkeypatch.context() as at_once:
         at_once.setattr(compiler, "MOST_SECONDS", 0.0)
-        with pytest.warns(UserWarning, match="compiling takes longer than 0 s"):
-            run = train(cell(PAYING)["Walk"](5), QLearning.create((6, 2)), 6_000)
-    assert run.complete
-    assert stopped_in == ["on_start"]
-    train(cell(PAYING.replace("0.75", "0.5"))["Walk"](5), QLearning.create((6, 2)), 6_000)
+        with pytest.raises(CompilationError, match="takes longer"):
+            build(loop, (0.5,))
+    with pytest.raises(CompilationError, match="takes longer"):
+        build(other_loop, (0.5,))
+    build(other_loop, (0.5, 0.25))
+    notebook["G"] = (2.0,)
+    build(other_loop, (0.5,))
 
 
 def test_a_mistake_comes_at_the_step_at_which_python_has_it() -> None:

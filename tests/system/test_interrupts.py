@@ -230,13 +230,14 @@ def test_a_function_that_goes_on_after_its_limit(monkeypatch: pytest.MonkeyPatch
     def work(late: threading.Event, goes_on: threading.Event) -> bool:
         while not late.is_set():
             pass
+        stop.set()
         return goes_on.wait(60)
 
     go_on.set()
     assert other_threads.call_within(0.0, work, go_on)
     go_on.clear()
+    stop.clear()
     try:
-        stop.set()
         with pytest.raises(Stopped), SignalGuard(stop):
             other_threads.call_within(0.0, work, go_on)
         monkeypatch.setattr(other_threads, "MOST_SECONDS_TO_END", 0.1)
@@ -244,6 +245,10 @@ def test_a_function_that_goes_on_after_its_limit(monkeypatch: pytest.MonkeyPatch
             other_threads.call_within(0.0, work, go_on)
     finally:
         go_on.set()
+    for thread in threading.enumerate():
+        if thread.name == "edugym-work":
+            thread.join(60)
+            assert not thread.is_alive()
 
 
 def test_a_notebook_shows_one_line() -> None:

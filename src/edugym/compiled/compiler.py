@@ -46,7 +46,7 @@ KEPT = 3
 """The number of builds of a loop that are kept for classes of the same names."""
 MOST_SECONDS = 20.0
 """When compiling a student's code has taken so much processor time, it is given up."""
-_too_long: list[dict[Any, Any]] = []  # what was a student's in builds that were given up: with more it takes no less
+_too_long: list[tuple[Code, set[Any]]] = []  # what was given up, with students' classes: more takes no less
 _lock = threading.RLock()
 logger = logging.getLogger("edugym")
 LEAN = {"_nrt": False, "boundscheck": True}
@@ -151,32 +151,21 @@ def _find_or_build(numba: Any, loop: Function, signature: tuple[Any, ...], code:
     """
     if _find(loop, signature, code) is None:
         seconds = MOST_SECONDS if code.foreign else math.inf
-        parts = _parts_of_students(signature, code)
+        own = {kind for kind in code.classes if is_foreign(kind)} | set(map(str, _types_of_students(signature)))
+        known = any(classes <= own and one.first_change() is None for one, classes in _too_long)
         try:
-            if not is_on_disk(code) and any(one.keys() <= parts.keys() for one in _too_long):
+            if known and not is_on_disk(code):
                 raise TimeoutError
             call_within(seconds, _build_once, numba, loop, signature, code)
         except TimeoutError:
-            if parts and HAS_CLOCKS and parts not in _too_long:
-                _too_long.append(parts)
+            if own and HAS_CLOCKS and not known:
+                _too_long.append((code, own))
             made = CompilationError(f"compiling takes longer than {seconds:.0f} s: make its methods shorter")
             _built[_Key(loop, code.fingerprint, signature, tuple(code.classes))] = made
     made = _find(loop, signature, code)
     if isinstance(made, CompilationError):
         raise CompilationError(str(made))
     return made
-
-
-def _parts_of_students(signature: tuple[Any, ...], code: Code) -> dict[Any, Any]:
-    """What of a build is a student's, by keys that are equal only where the compiler gets the same.
-
-    An object is kept with its key, which may hold its id.
-    """
-    parts: dict[Any, Any] = {one.__code__: one for one in code.functions if is_foreign(one)}
-    for of, name, value in code.named():
-        if is_foreign(of):
-            parts[name, type(value), value if isinstance(value, int | float | str) else id(value)] = value
-    return parts | {str(kind): kind for kind in _types_of_students(signature)}
 
 
 def _types_of_students(kinds: Iterable[Any]) -> Iterator[Any]:

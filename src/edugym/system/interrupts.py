@@ -240,9 +240,9 @@ def current_guard() -> SignalGuard | None:
     return getattr(_current, "guard", None)
 
 
-def raise_in_thread(ident: int, kind: type[BaseException] = Stopped) -> None:
-    """Raise an error in a thread as soon as it is in Python."""
-    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(kind))
+def raise_in_thread(ident: int) -> None:
+    """Raise `Stopped` in a thread as soon as it is in Python."""
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(Stopped))
 
 
 def _receive_stopped() -> None:

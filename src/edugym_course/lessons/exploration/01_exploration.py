@@ -310,7 +310,7 @@ sliders(
 # - **ε.** Only the novelty agent feels it much: on height 20 it solves the wall in most runs with 0.05 to 0.5, and in
 #   few or none with 0 and from 0.65 on.
 # - **β.** Only the novelty agent has it. At height 20 it fails with 0, where it is ε-greedy, and in most runs with 5.
-# - **γ.** At height 20 it solves the wall in all runs with 0.8 to 0.95, and in none with 0.99 ("Predict, then check" says why).
+# - **γ.** At height 20 it solves the wall in all runs with 0.8 to 0.95, and in none with 0.99 ("Predict, then check" shows one reason).
 # </details>
 
 # %% [markdown]

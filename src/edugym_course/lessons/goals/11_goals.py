@@ -192,7 +192,7 @@ who.measured(names.get(close, "all three"))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 'final' and 'future', and 'future' gets there first. Without hindsight the network has learned nothing at
-# all, not even in 200 000 steps (it returned −7.97). (In the paper plain DQN managed up to 13 switches, with other settings.) (The end may lie a little above the dashed
+# all, not even in 200 000 steps (it returned −7.97; in the paper, with other settings, plain DQN managed up to 13 switches). (The end may lie a little above the dashed
 # line, if 100 episodes happen to have somewhat nearer goals.)
 # </details>
 

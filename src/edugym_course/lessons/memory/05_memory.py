@@ -508,7 +508,7 @@ learned.measured(learned.options[0 if ends.mean() < below else 1 if ends.mean() 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It ends near 16, between the two. Its mean still rose in the last third of the training.  (The numbers of steps are not a race. PPO collects rounds of 64 · 32 steps, uses each round 4 times, and
+# **Measured.** It ends near 16, between the two. Its mean still rose in the last third of the training. (The numbers of steps are not a race. PPO collects rounds of 64 · 32 steps, uses each round 4 times, and
 # throws it away. DQN draws its batches from the last 10 000 steps.) </details>
 
 # %% [markdown] tags=["aside"]

@@ -492,7 +492,7 @@ check(exercise_3, new_price, seed=1, quiet=True)
 # In this environment the reward is the value of the treasure alone, and a step costs nothing: your program counts the steps itself. The check draws
 # other treasures for each of six seas. The last five are always worth most; among the first four any may be the best, and in three seas all four are worth little, though more than 0. In most seas no
 # price finds the best one. Each state is a whole number below `environment.observation_space.n`, and it says where the diver is. (Some numbers are not used.) Count the steps from `reset` on, but the policy
-# sees only the state; within one sea it tells enough. (Do not compute them from the cell: in two more
+# sees only the state; within one sea it tells enough. (Do not compute the steps from the cell: in two more
 # seas the diver begins one or two cells away from the shore.)
 #
 # One way is Q-learning, random dives, and a reward of your own. What is a dive worth that took too long? Try it with `n_steps` = 10 000 in

@@ -198,7 +198,7 @@ sliders(one_setting, n_comparisons=[10, 30, 100, 300, 1000], noise=[1.0, 3.0, 10
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# From its highest point the gain fell by 1.6 with 10 comparisons, 0.6 to 0.8 with 30 to 300, and 0.2 with 1 000. A weaker prior was worse, a stronger one reached a higher top. With $\tau = 3$ it fell more; with $\tau = 10$
+# From its highest point the gain fell by 1.6 with 10 comparisons, 0.6 to 0.8 with 30 to 300, and 0.3 with 1 000. A weaker prior was worse, a stronger one reached a higher top. With $\tau = 3$ it fell more; with $\tau = 10$
 # and 100 comparisons the clock became worse than the factory's, while the learned return rose as ever.
 # </details>
 

@@ -777,7 +777,7 @@ display(figures.race({"my listener": Listener.create}))
 
 # %% [markdown]
 # ### The open challenge: a moody toy
-# With probability 0.1 in each step one need, drawn at random, falls by 20 (*moods*). Four words in a message, $\tau = 0.05$, and 20 000 steps, about 200 episodes.
+# With probability 0.1 in each step one need, drawn at random, falls by 20 (*moods*). A message has four words, $\tau = 0.05$, and there are 20 000 steps, about 200 episodes.
 # *All* training episodes count. Nobody who does not see the state can get the optimum, 6 595. The vote gets about two
 # thirds of it, and taking turns a tenth. "Q-learning" in the table has a row for each observation, $\alpha = 0.1$,
 # $\gamma = 0.5$ and $\varepsilon = 0.1$. (The return at the end, one episode, is noisy: look at the average.) How close

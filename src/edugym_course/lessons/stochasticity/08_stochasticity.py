@@ -402,7 +402,7 @@ noisy.measured(seen)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Averse and neutral lose hardly a ball, and seeking loses about one in ten. Beyond the crossing at 0.0187
-# the safe plan is also the best one on average. (Below it the neutral player seldom takes the risk, too.) At 0.02
+# the safe plan is also the best one on average. (Just below it, too, the neutral player seldom takes the risk.) At 0.02
 # seeking earns least of the three, 0.68, and neutral most, 0.76. (Averse is between them, with wide bands.)
 # </details>
 
