@@ -12,6 +12,7 @@ import argparse
 import inspect
 import sys
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,8 @@ from edugym.adapters.playing.films import play_episode, record
 from edugym.adapters.playing.game import Frame
 from edugym.adapters.registration import ENVIRONMENTS, Entry, in_course_order
 from edugym.envs.trashbot.planning import ScriptedController
+from edugym.exact.game_model import GameModel
+from edugym.exact.shapley import GameValues
 from edugym.rendering.palette import INK
 from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Scene
@@ -127,10 +130,17 @@ def page(entry: Entry) -> str:
     )
 
 
+@cache
+def solution(game: games.Soccer) -> tuple[GameModel, GameValues]:
+    """Return the exact model of a game, and its solution."""
+    model = games.game_model(game)
+    return model, games.minimax_value_iteration(model, GAME_DISCOUNT)
+
+
 def game_table(game: games.Soccer) -> list[str]:
     """Return a table of a zero-sum game at its defaults: its sizes, counted by the exact model, and its value."""
-    both = games.game_model(game)
-    solved, model = games.minimax_value_iteration(both, GAME_DISCOUNT), both.joint[0]
+    both, solved = solution(game)
+    model = both.joint[0]
     begins = [state for state, probability in zip(model.states, model.initial, strict=True) if probability > 0]
     values = " or ".join(f"{solved.value(state):.3f}" for state in begins)
     rows = {
@@ -178,7 +188,7 @@ def game_page(game: games.Soccer) -> str:
 
 def match(game: games.Soccer) -> tuple[Scene, list[Frame]]:
     """Return a picture from the middle of a match between optimal players, and all frames of the match."""
-    policies = games.minimax_value_iteration(games.game_model(game), GAME_DISCOUNT).policies
+    policies = solution(game)[1].policies
     chance = np.random.default_rng(MATCH)
 
     def actor(observation: int) -> int:

@@ -19,6 +19,10 @@ ENTRIES = (
     "The environments of the course, by name. Each entry has a `name`, such as `Boulder`, an `id` for"
     " `gymnasium.make`, the `challenge` that it isolates, and the number of its `lesson`."
 )
+MORE = {
+    "agents": "Each agent has [a page of its own](../agents/index.md).\n",
+    "envs": "Each environment has [a page of its own](../environments/index.md).\n",
+}
 LISTS = ("games", "objectives", "deep")
 """Modules that list public names of their own."""
 
@@ -67,11 +71,10 @@ def pages() -> dict[str, str]:
 
 
 def _page(room: str, module: Any, names: list[Name]) -> str:
-    own = [name for name in names if name.room == room and name.name not in AGENTS]
+    own = [name for name in names if name.room == room and _own_page(name) is None]
     about = {"ENVIRONMENTS": ENTRIES}
     parts = [described(name.name, name.thing, name.module, about.get(name.name)) for name in own]
-    more = "Each agent has [a page of its own](../agents/index.md).\n" if room == "agents" else ""
-    return "\n\n".join([f"# edugym.{room}", markdown(module), more, *parts, ""])
+    return "\n\n".join([f"# edugym.{room}", markdown(module), MORE.get(room, ""), *parts, ""])
 
 
 def _table(room: str, names: list[Name]) -> str:
@@ -80,9 +83,15 @@ def _table(room: str, names: list[Name]) -> str:
 
 
 def _link(name: Name) -> str:
-    if name.name in AGENTS:
-        return f"[`{name.name}`](../{place(name.thing)}.md)"
-    return f"{{py:obj}}`{name.module}.{name.name}`"
+    page = _own_page(name)
+    return f"[`{name.name}`](../{page}.md)" if page else f"{{py:obj}}`{name.module}.{name.name}`"
+
+
+def _own_page(name: Name) -> str | None:
+    """The page of an agent or an environment."""
+    if name.room == "envs":
+        return f"environments/{name.name.lower()}"
+    return place(name.thing) if name.name in AGENTS else None
 
 
 def _says(name: Name) -> str:

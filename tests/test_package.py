@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import edugym
+from tests.test_readme import EXAMPLES
 
 ROOT = Path(__file__).parents[1]
 
@@ -123,10 +124,15 @@ def wrong() -> None:  # and known to be wrong: else mypy would say that the comm
 
 @pytest.mark.slow
 def test_a_users_program_passes_mypy_strict_and_runs(tmp_path: Path) -> None:
-    """With the types of the package as it is installed, in a folder without any settings."""
+    """So do the examples of pages that name every type: with the installed package, in a folder without settings."""
     pytest.importorskip("mypy")
     (tmp_path / "program.py").write_text(PROGRAM, encoding="utf-8")
-    for command in (["-m", "mypy", "--strict", "program.py"], ["program.py"]):
+    typed = [code for _, code, _ in EXAMPLES if not re.search("def |class |lambda|stable_baselines3", code)]
+    assert len(typed) >= 10
+    names = ["program.py", *(f"example_{k}.py" for k in range(len(typed)))]
+    for name, code in zip(names[1:], typed, strict=True):
+        (tmp_path / name).write_text(code, encoding="utf-8")
+    for command in (["-m", "mypy", "--strict", *names], ["program.py"]):
         done = subprocess.run([sys.executable, *command], cwd=tmp_path, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stdout + done.stderr
 

@@ -79,9 +79,9 @@ long_reports = pytest.mark.filterwarnings("ignore:Generating overly large repr")
 
 
 @long_reports
-@hypothesis.settings(max_examples=1, phases=GENERATE)
+@hypothesis.settings(max_examples=4, phases=GENERATE)
 @hypothesis.given(FIFTY)
-def test_fifty_random_programs(programs: list[str]) -> None:
+def test_two_hundred_random_programs(programs: list[str]) -> None:
     """The same in every run of the tests."""
     run(programs)
 

@@ -54,6 +54,8 @@ NOT_CHECKED = {"statistics.in_short", "tables.with_types", "deep.PPO.gradient", 
 SECONDS, BYTES = 60, 4 * 2**30
 """What one call may take, on a loaded machine, and how much more memory than before."""
 
+NAMES = [name for name in dir(edugym) if name not in {entry.name for entry in edugym.ENVIRONMENTS}]
+"""The public names but the environments, whose settings `environments` tries together."""
 OWN_DEFAULTS = {
     "discount", "epsilon", "evaluation_episodes", "expected_updates", "high", "learning_rate", "longest", "low",
     "max_steps", "n_tables", "planning_steps", "seed", "spread", "value_learning_rate", "y_label",
@@ -178,7 +180,7 @@ def fault(call: Callable[[], object], names: tuple[str, ...], value: Any, takes:
 @pytest.mark.parametrize(
     "name",
     [
-        *dir(edugym),
+        *NAMES,
         *(pytest.param(room, marks=[pytest.mark.slow] * (room == "deep")) for room in ROOMS),  # it trains networks
         "environments",
     ],
@@ -211,7 +213,7 @@ def test_bad_calls(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
 def test_a_parameter_has_the_same_default_wherever_it_stands() -> None:
     """Who knows `progress` or `tolerance` from one function knows them from all."""
     defaults = dict[str, list[Any]]()
-    for key in (key for name in (*dir(edugym), *ROOMS) if name != "deep" for key in public(name)):
+    for key in (key for name in (*NAMES, *ROOMS) if name != "deep" for key in public(name)):
         for one in inspect.signature(public_calls.found(key)).parameters.values():
             if one.default is not one.empty:
                 defaults.setdefault(one.name, []).append(one.default)

@@ -126,9 +126,10 @@ def test_docstrings_become_markdown() -> None:
 
 
 def test_every_public_name_is_described() -> None:
-    """Each name of the one list is on a page of the reference or, if it is an agent, on its own, in our words."""
+    """Each name of the one list is on a page of the reference or, an agent or environment, on its own, in our words."""
     pages = "\n".join([*reference_pages.pages().values(), *agent_pages.pages([]).values()])
     described = re.findall(r"^:+\{py:(?:class|function|data)\} (\w+)", pages, re.MULTILINE)
+    described += [e.name for e in in_course_order() if (ROOT / f"docs/environments/{e.name.lower()}.md").exists()]
     assert sorted(described) == sorted(name.name for name in reference_pages.public_names())
     assert (tuple.__doc__ or "").partition("\n")[0] not in pages
 
