@@ -13,8 +13,9 @@ WITHOUT_A_GENERATOR = {
 }
 """One puts all cases that matter in another order, and the others compute numbers from the seed."""
 DRAWN = {
-    f"{path.stem}-{number}": (exercise, (read_exercises(path)[0], read_answers(path.stem)[0]))
+    f"{path.stem}-{number}": (exercise, before)
     for path in build.lesson_sources().values()
+    for before in [(read_exercises(path)[0], read_answers(path.stem)[0])]
     for number, exercise in enumerate(read_exercises(path)[1], start=1)
     if "seed=1" in exercise.check and f"{path.stem}-{number}" not in WITHOUT_A_GENERATOR
 }

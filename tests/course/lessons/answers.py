@@ -101,6 +101,7 @@ def _edited(program: str, edits: str, where: str) -> str:
     return program
 
 
+@cache
 def functions_of(solution: str) -> dict[str, str]:
     """Return the functions and methods of a solution by name, at the left margin and without their docstrings."""
     found, lines = dict[str, str](), solution.splitlines(keepends=True)
