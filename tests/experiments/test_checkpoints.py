@@ -20,6 +20,7 @@ from joblib.externals.loky.process_executor import TerminatedWorkerError
 from edugym import EpsilonGreedy, QLearning, Results
 from edugym.experiments import checkpoints
 from edugym.experiments import repeat as repeating
+from edugym.experiments.killed_workers import again_if_killed
 from edugym.system.files import write_whole
 from edugym.system.interrupts import SignalGuard
 from edugym.training.run import Run
@@ -187,7 +188,7 @@ def test_ctrl_c_ends_what_a_killed_worker_has_left() -> None:
         guard.stop_ordered = True
         raise TerminatedWorkerError
 
-    repeating._again_if_killed(killed, {}, guard)
+    again_if_killed(killed, {}, guard)
     assert calls == [1]
 
 

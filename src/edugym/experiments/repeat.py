@@ -20,6 +20,7 @@ from edugym.checks.values import deep_copy
 from edugym.experiments.checkpoints import Checkpoints, checkpoints_in
 from edugym.experiments.configuration import GIVE_A_FUNCTION, ExperimentTask, Planned, described, planned_runs, task
 from edugym.experiments.fingerprints import versions
+from edugym.experiments.killed_workers import again_if_killed
 from edugym.experiments.players import Player, is_policy, made_by, takes_observations
 from edugym.experiments.results.rows import MEASURED, Rows
 from edugym.experiments.results.tables import Results
@@ -161,7 +162,7 @@ def repeat(
             if not stop.is_set():
                 runs |= store.found(plan)
             missing = partial(_do_all, experiment, training, runs, store, jobs, progress, stop, guard)
-            _again_if_killed(missing, runs, guard)
+            again_if_killed(missing, runs, guard)
             if guard.stop_ordered:
                 raise KeyboardInterrupt
             results = _collected(experiment, runs)
@@ -273,28 +274,6 @@ def _configuration(
     settings.pop("layout_seed", None)  # each row has its own
     environment = task.make(first.repetition.layout_seed)
     return {label: settings | described(maker(environment), "agent") for label, maker in makers.items()}
-
-
-def _again_if_killed(do: Callable[[], None], runs: Runs, guard: SignalGuard) -> None:
-    """Do what is missing among `runs`; where a process of joblib's is killed, do again what it did not finish.
-
-    Raises:
-        TerminatedWorkerError: three times in a row a process is killed before any run ends.
-    """
-    from joblib.externals.loky.process_executor import TerminatedWorkerError
-
-    finished, attempts = len(runs), 3
-    while True:
-        try:
-            return do()
-        except TerminatedWorkerError:
-            if guard.stop_ordered:  # by Ctrl-C, which may have ended the process as well
-                return None
-            finished, attempts = len(runs), 3 if len(runs) > finished else attempts - 1
-            if not attempts:
-                raise
-            killed = "a process of joblib's was killed, perhaps for lack of memory: its runs are done again"
-            warnings.warn(killed, RuntimeWarning, stacklevel=3)
 
 
 def _do_all(
