@@ -10,6 +10,7 @@
 #   make bench      measure speed, against what one would use instead
 #   make dist       build the package from what is committed, and try it in an empty environment
 #   make test-lowest  run the tests with the lowest versions of the dependencies that pyproject.toml allows
+#   make test-clients  install Dask, MiniGrid, Ray with RLlib, Tianshou and TorchRL, and try EduGym with each
 #   make grade      grade a class in a container   (make grade CLASS=$HOME/course LESSON=01_exploration)
 #   make clean      remove .venv and what tools left behind
 
@@ -18,7 +19,7 @@ ARGS ?=
 JOBS ?= 2
 RUN := .venv/bin/python -m
 
-.PHONY: lab test test-all test-lowest reproduce site bench dist grade clean
+.PHONY: lab test test-all test-lowest test-clients reproduce site bench dist grade clean
 
 lab: .venv/lab.installed
 	.venv/bin/edugym lab $(ARGS)
@@ -73,6 +74,14 @@ test-lowest:
 	$(LOWEST)/bin/python -m pytest -n $(JOBS) --dist worksteal -m "not slow" -W default::DeprecationWarning -W default::FutureWarning $(ARGS) \
 		tests/adapters tests/agents tests/checks tests/compiled tests/contract tests/envs tests/exact tests/experiments \
 		tests/mdp tests/rendering tests/system tests/training
+
+# With libraries of others, too many for every checkout.
+CLIENTS := build/clients
+test-clients:
+	rm -rf $(CLIENTS) && $(PYTHON) -m venv $(CLIENTS)
+	$(CLIENTS)/bin/pip install --quiet --constraint constraints.txt --editable ".[experiments]" \
+		distributed minigrid "ray[rllib]" tianshou torchrl hypothesis pytest pytest-timeout
+	$(CLIENTS)/bin/python -m pytest $(ARGS) tests/adapters/test_other_libraries.py tests/experiments/test_clusters.py
 
 # Students' code sees neither the network nor any file of yours but the class, of which it may write the results only.
 CONTAINER ?= docker
