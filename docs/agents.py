@@ -50,8 +50,8 @@ or a network see an observation as a vector, the others as a row of their table.
 sb3-contrib: their agents are made as `PPO("MlpPolicy", env)` is, play one copy, and take as many steps as the others
 and no more."""
 YOURS = """`edugym profile my_agent.py:MyAgent` measures the same for an agent of yours, and shows it beside these
-([how to read a profile](profiles.md)); `edugym profile "QLearning + FrameStack(4)"` does it for an agent with a
-wrapper. Where no agent does well, a wrapper may be missing: see [what every remedy gains](isolation.md)."""
+([how to read a profile](profiles.md)); `edugym profile "QLearning + FrameStack(4) + Hashed(100000)"` does it for an
+agent with wrappers. Where no agent does well, a wrapper may be missing: see [what every remedy gains](isolation.md)."""
 SCORES = """The score, and how far its 95 % interval reaches to both sides; *runs* says how often each rung was climbed.
 **Bold** are the highest score of a challenge, and those that are not surely worse. A score a little above 1 is
 luck: the best play is known on average, and an agent plays a limited number of episodes. Three runs tell little, so

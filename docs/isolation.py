@@ -92,10 +92,10 @@ helps there, and the remedies for other challenges do not. This page measures it
 of an agent with the remedy, on the ladder of tasks that `edugym profile` climbs, less that of Q-learning with a table,
 paired over {REPETITIONS} repetitions, with a 95 % interval. A score is 0 for random play and 1 for the best play.
 Nothing is tuned. SARSA, Q(λ), risk-averse Q-learning, Dyna-Q and the frames change one thing in Q-learning; Go-Explore,
-DQN and the actor-critic are agents of their own. Hindsight changes one thing in DQN, so its gain is over DQN. On Catch
-the table has a row for each board that occurs (`Hashed`), on Trashbot it has bins (`Discretised`, `DiscreteActions`).
-Where a cell is empty, the agent cannot enter the environment. Bandit, Diver and Casino
-[have no ladder](agents.md#how-it-was-measured), so they are not here."""
+DQN and the actor-critic are agents of their own. Hindsight changes one thing in DQN, so its gain is over DQN. On Catch,
+and with frames, the table has a row for each observation that occurs (`Hashed`), on Trashbot it has bins
+(`Discretised`, `DiscreteActions`). Where a cell is empty, the agent cannot enter the environment. Bandit, Diver and
+Casino [have no ladder](agents.md#how-it-was-measured), so they are not here."""
 READING = f"""**Bold** is the environment for which the remedy is meant. There its gain should be above {OWN} with the
 whole interval; elsewhere it should be near 0."""
 
@@ -187,7 +187,7 @@ def page(data: dict[str, Any]) -> str:
         [
             "# Do the environments isolate their challenges?",
             "",
-            fill(INTRODUCTION, 120),
+            fill(INTRODUCTION, 120, break_on_hyphens=False),
             "",
             "![The gain of every remedy in every environment](isolation.svg)",
             "",

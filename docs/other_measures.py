@@ -150,18 +150,19 @@ def by_other_measures(others: dict[str, Any]) -> list[str]:
         "The score is the greedy return at the end. In the three environments whose own remedy does not raise it, other"
         " measures say this.",
         "**Roadrunner** is about what an agent earns *while it learns*: SARSA keeps away from where a slip is dear. In"
-        f" {STEPS['Roadrunner']:,} steps on the road of the lesson, Q-learning earns less than the best play. This is"
-        f" its loss. By the price of a fall, SARSA changes the loss by this share of it: it {road}. So the remedy helps"
+        f" {STEPS['Roadrunner']:,} steps on the road of the lesson, Q-learning earns less than the best play. Of this"
+        f" loss, by the price of a fall, SARSA {road}. So the remedy helps"
         " where a fall is dear, and costs where it is cheap. The ladder makes the road longer, not the fall dearer, and"
         " the score hides what is saved, since random play, which scores 0, falls in most episodes.",
         "**Golf** is about chance, and its remedy about risk, not about the mean. Of the scores of"
         f" {GAMES} greedy games, with the default risk of -1, {golf[0]}. With a risk of -5, {golf[1]}. So the dislike"
         " of single surprises does not make the worst games better on this ladder; a strong one pays for a smaller"
         " spread with a smaller mean.",
-        "**Catch** is about observations of many dimensions. Until a score of 0.9, DQN needs"
+        "**Catch** is about observations of many dimensions. To reach a score of 0.9, DQN needs"
         f" {catch} of the budget than the table; even the largest board has only some 8,000 states. A table fails where"
-        f" no image comes twice: with another brightness at every step, from {DARKEST} to 1, the score that DQN gains"
-        f" is, by the side of the board, {lit}. So the size of the board is not what makes a network necessary.",
+        f" no image comes twice: with another brightness at every step, from {DARKEST} to 1, DQN's score is above"
+        f" the table's by {lit} (the side of the board). So the size of the board is not what makes a network"
+        " necessary.",
     ]
     return [line for text in texts for line in (fill(text, 120), "")]
 

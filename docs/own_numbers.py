@@ -22,7 +22,7 @@ HEAD = """\
 
 `edugym assign` hands out a lesson in which [each student has other
 numbers](teaching.md#numbers-of-a-students-own). This page lists what it draws for the {n_tasks} exercises of the
-{n_lessons} lessons. A sentence in the student's text tells the number; here it stands with the first of the values.
+{n_lessons} lessons. The table quotes the sentence that tells the student the number, with the first value.
 The ordinary number is that of the lesson in the repository. Where values are not evenly spaced, since some are left
 out, the table gives the first, the last and how many there are; the signature of the check has them all.
 
