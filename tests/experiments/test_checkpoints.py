@@ -7,8 +7,9 @@ import sys
 import threading
 import time
 import uuid
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import joblib
@@ -190,6 +191,30 @@ def test_ctrl_c_ends_what_a_killed_worker_has_left() -> None:
 
     again_if_killed(killed, {}, guard)
     assert calls == [1]
+
+
+class ActorDied(Exception):
+    """Stands for Ray's error, where Ray is not installed."""
+
+
+@pytest.mark.parametrize("error", [TerminatedWorkerError, ActorDied], ids=["joblib", "Ray"])
+@pytest.mark.parametrize(("n_killed", "n_calls"), [(1, 2), (2, 3), (3, 3)])
+def test_work_of_a_killed_worker_is_done_again(
+    error: type[Exception], n_killed: int, n_calls: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Three times at most, if no run ends meanwhile; then the error is raised."""
+    monkeypatch.setitem(sys.modules, "ray.exceptions", SimpleNamespace(RayActorError=ActorDied))
+    calls = []
+
+    def work() -> None:
+        calls.append(1)
+        if len(calls) <= n_killed:
+            raise error
+
+    ends = pytest.raises(error) if n_killed == n_calls else nullcontext()
+    with pytest.warns(RuntimeWarning, match="killed"), ends:
+        again_if_killed(work, {}, SignalGuard())
+    assert len(calls) == n_calls
 
 
 @pytest.mark.slow
