@@ -13,6 +13,8 @@ import numpy as np
 
 MOST_ANSWERS = 1_000
 """After so many answers on one way the code is taken to go on for ever, as rejection sampling may."""
+MAX_WAYS = 20_000
+"""How many ways one step may go: thirty coins, say, are thrown in a billion ways."""
 ROUNDING = 1e-12
 """Less likely answers are not taken: they come from sums of probabilities that are not quite 1."""
 KEPT_TOO_LONG = "an exact model cannot follow a random number kept from an earlier call: draw it where it is used"
@@ -119,11 +121,13 @@ class BranchingGenerator:
         first, last = (0, int(low)) if high is None else (int(low), int(high))
         if first >= last:
             raise ValueError(f"rng.integers has nothing to draw from: {first} is not below {last}")
+        self._require_few(last - first)
         return first + self.decide([1.0 / (last - first)] * (last - first))
 
     def choice(self, options: Any, *, p: Sequence[float] | None = None) -> Any:
         """One of the options (0, ..., options - 1 for a number)."""
         self._numpy.choice(options, p=p)  # refuses bad options and probabilities, as the real one does
+        self._require_few(int(options) if np.ndim(options) == 0 else len(options))
         values = range(int(options)) if np.ndim(options) == 0 else np.asarray(options)
         weights = np.ones(len(values)) if p is None else np.asarray(p, np.float64)
         return values[self.decide((weights / weights.sum()).tolist())]
@@ -137,6 +141,11 @@ class BranchingGenerator:
         if not self.means:
             self.refuse("a finite model cannot follow rng.normal: what it draws is continuous")
         return Unknown({Noise(self): scale}, loc)
+
+    def _require_few(self, n_values: int) -> None:
+        """Refuse a draw from so many values that their list would fill the memory."""
+        if n_values > MAX_WAYS:
+            self.refuse(f"an exact model cannot follow a draw from {n_values} values: {MAX_WAYS} is the limit")
 
     def __getattr__(self, name: str) -> Any:
         """Any other draw cannot be followed."""

@@ -17,7 +17,7 @@ from gymnasium import spaces
 from edugym.checks.interfaces import MDP_ONLY
 from edugym.checks.parameters import whole_number
 from edugym.checks.tracebacks import end_at_students_line
-from edugym.exact.branching import branches
+from edugym.exact.branching import MAX_WAYS, branches
 from edugym.exact.checking import compare_with_steps, global_randomness
 from edugym.exact.tables import FiniteModel, plain
 from edugym.mdp.protocol import MDP
@@ -27,8 +27,6 @@ from edugym.system.packages import is_own
 MAX_STATES = 50_000
 MOST_STATES = 100_000_000
 """To what the limit of states may be raised: so many take an hour, and tens of gigabytes."""
-MAX_WAYS = 20_000
-"""How many ways one step may go: thirty coins, say, are thrown in a billion ways."""
 MAX_ENTRIES = 50_000_000
 """Of each of the three tables of shape (S, A, K): more would not fit into the memory of a small machine."""
 
@@ -45,8 +43,8 @@ def finite_model(mdp: MDP[Any, Any], max_states: int = MAX_STATES) -> FiniteMode
 
     Raises:
         ValueError: `mdp` is no MDP, or the task is not finite: it has too many states, states that hold arrays, or
-            dynamics that draw from a continuous distribution; or real steps do something else than its methods do when
-            they are followed.
+            dynamics that draw from a continuous distribution; or an episode can start in a terminal state; or real
+            steps do something else than its methods do when they are followed.
     """
     max_states = whole_number("max_states", max_states, 1, MOST_STATES)
     task_of(mdp, "mdp", MDP_ONLY)
@@ -137,6 +135,9 @@ def _explored(mdp: MDP[Any, Any], max_states: int) -> FiniteModel:
     n_actions = int(mdp.action_space.n)
     explorer = _Explorer(mdp, max_states)
     first = explorer.reached(partial(mdp.initial))
+    for state in explorer.states:
+        if explorer.ends(state):
+            raise ValueError(f"initial must return a state that is not terminal, but can return {state!r}")
     # For each state and action in turn: how many outcomes it has, then for each outcome: successor, p and reward.
     widths, successors, probabilities, rewards = array("l"), array("l"), array("d"), array("d")
     terminal = array("b")

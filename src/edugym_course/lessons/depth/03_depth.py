@@ -909,7 +909,7 @@ check(exercise_2, importance_ratio, seed=1, quiet=True)
 # $0.92^9 = 47$ % of the episodes. These count 2.1 times, and the other 53 % count nothing. The mean is right, and the
 # variance is huge.
 #
-# ### Exercise 3: as deep as your actions were greedy
+# ### Exercise 3: pass the reward back through greedy actions
 # There is a better way. Let the reward travel back through greedy actions, and no further. What came after an exploring
 # action is not what the greedy policy would have got. So *cut* there, and go on with the best value of that state.
 #
