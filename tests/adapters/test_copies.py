@@ -326,3 +326,26 @@ def test_late_mistakes_in_one_environment(name: str) -> None:
         env.reset(seed=0)
         with pytest.raises(kind, match=says):
             [env.step(0) for _ in range(200)]
+
+
+@pytest.mark.filterwarnings("ignore:.* interpreted")
+@pytest.mark.parametrize("mode", [None, *AutoresetMode], ids=str)
+def test_a_late_episode_that_starts_at_its_end(mode: AutoresetMode | None) -> None:
+    """The same sentence in one environment (None) and in copies, however these begin again."""
+    walk = task("3 if rng.random() < 0.002 else 0", "state + 1", terminal="state == 3")
+    env: Any = MDPEnv(walk) if mode is None else MDPVectorEnv(walk, 2, mode)
+    env.reset(seed=1)
+    steps: list[int] = []
+
+    def play() -> None:
+        while len(steps) < 9_000:
+            steps.append(1)
+            _, _, over, _, _ = env.step(0 if mode is None else [0, 0])
+            if mode is None and over:
+                env.reset()
+            if mode is AutoresetMode.DISABLED and over.any():
+                env.reset(options={"reset_mask": over})
+
+    with pytest.raises(ValueError, match=r"initial of Task .*not terminal, .* 3"):
+        play()
+    assert len(steps) > 200  # the first are checked in every way

@@ -32,7 +32,8 @@ class Meeting(NamedTuple):
 
     def initial(self, rng: Random) -> Any:
         """Apart from each other."""
-        return None if self.slip == "initial" else np.array([0, 1 + rng.integers(4)])
+        over = self.slip == "over" and rng.random() < 0.01
+        return None if self.slip == "initial" else np.array([0, 0 if over else 1 + rng.integers(4)])
 
     def transition(self, state: Any, actions: tuple[int, int], rng: Random) -> Any:
         """To the left, stay, or to the right."""
@@ -147,6 +148,25 @@ def test_slips_in_a_game(slip: str, says: str) -> None:
 
     with pytest.raises(ValueError, match=says):
         play()
+
+
+@pytest.mark.parametrize(("seed", "is_late"), [(7, False), (1, True)])
+def test_a_game_that_is_over_at_the_start(seed: int, is_late: bool) -> None:
+    """The same sentence, whether it comes in the first steps or after them."""
+    env = games.parallel_env(Meeting("over"))
+    steps: list[int] = []
+
+    def play() -> None:
+        env.reset(seed=seed)
+        while len(steps) < 9_000:
+            steps.append(1)
+            env.step(dict.fromkeys(PLAYERS, 1))
+            if not env.agents:
+                env.reset()
+
+    with pytest.raises(ValueError, match=r"initial of Meeting .*not terminal, .*0, 0"):
+        play()
+    assert (len(steps) > 200) == is_late  # the first are checked in every way
 
 
 def test_slips_of_players() -> None:

@@ -101,6 +101,8 @@ def test_tables_come_back(task: Any) -> None:
         (MOVE, "return rng.choice([])", "a cannot be empty"),
         (START, "0\n", "initial returns None: is its `return` missing"),
         (START, "return [0]\n", "a state must be a number or a tuple of numbers, but there is"),
+        (START, "return self.size\n", "initial must return a state that is not terminal, but can return 4"),
+        (START, "return rng.integers(self.size + 1)\n", "not terminal, but can return 4"),
         (PAY, "1.0", "finite number, but returns None for 0, 0, 0"),
         (PAY, "return math.nan", "reward must return a finite number, but returns nan for 0, 0, 0"),
         (PAY, "return max(0.0, rng.normal())", "can only add normal noise"),

@@ -27,6 +27,7 @@ COUNTING = WALK.replace(
 LATE_WALK = COUNTING.replace(PAY, late(_1="np.nan", _2="np.inf") + PAY).replace(SEE, late(_3="-1", _4="6") + SEE)
 ENDS = "return state == self.size"
 LATE_WALK = changed(LATE_WALK, ENDS, late(_10="None") + ENDS)
+LATE_WALK = changed(LATE_WALK, "return 0\n", late(_11="self.size") + "return 0\n")
 """The walk with a slip, number `wrong`, that shows after 3 000 steps."""
 
 
@@ -36,7 +37,8 @@ def boxes(right: str, shape: str, **wrong: str) -> Any:
     return cell(source.replace("Discrete(self.size + 1)", f"Box(self.low, self.high, {shape})"))["Walk"]
 
 
-NUMBERS = cell(LATE_WALK)["Walk"]
+NUMBERS = cell(changed(LATE_WALK, "state + 2 * action - 1", "min(self.size, state + 2 * action - 1)"))["Walk"]
+"""The same, where a step from the end leads nowhere that its space does not have."""
 BOXES = boxes(
     "np.array([0.1, 0.1])", "(2,)",
     _5="np.array([9.1, 1.0])", _6="np.array([1.0, -0.1])", _7="np.array([0.1, np.nan])",
@@ -45,6 +47,7 @@ LATE = {
     "NaN for a reward": (NUMBERS, 1, "reward Walk nan"),
     "an infinite reward": (NUMBERS, 2, "reward Walk inf"),
     "nothing for whether it ends": (NUMBERS, 10, "terminal Walk None"),
+    "over at the start": (NUMBERS, 11, "initial Walk not terminal 5"),
     "below the space": (NUMBERS, 3, "observation Walk Discrete(6) -1"),
     "beyond the space": (NUMBERS, 4, "observation Walk Discrete(6) 6"),
     "above the box": (BOXES, 5, "observation Walk Box( 9.1"),

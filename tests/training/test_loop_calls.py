@@ -88,9 +88,9 @@ def step(state: int, action: int, rng: str, *see: str) -> list[str]:
     return asked + [f"observation {after} {rng}" for _ in see]
 
 
-BEGIN = ["initial env", "observation 0 env"]
+BEGIN = ["initial env", "terminal 0", "observation 0 env"]
 PLAYED = [
-    "initial play", "observation 0 play", "greedy 10 actor", *step(0, 3, "play"),
+    "initial play", "terminal 0", "observation 0 play", "greedy 10 actor", *step(0, 3, "play"),
     "observation 1 play", "greedy 11 actor", *step(1, 3, "play"),
 ]  # fmt: skip
 """An evaluation episode of two steps."""

@@ -112,6 +112,10 @@ def meet(first: Any, game: Any = None, n_steps: int = 20_000) -> Any:
         (lambda: meet(Shrinks(), n_steps=200), ("Q", "player 0", (4, 2), (4, 1))),
         (lambda: meet(Forgets(np.zeros((4, 2)))), ("learn", "Forgets", "Q", "nan")),
         (lambda: meet(q_learning(Rooms(), 0), Rooms("rewards", 5_000), 100_000), ("rewards", "Rooms", "finite", "nan")),
+        (
+            lambda: meet(q_learning(Rooms(), 0), Rooms("initial", 5_000), 100_000),
+            ("initial", "Rooms", "not terminal", (3, 0)),
+        ),
         (lambda: meet(q_learning(Rooms(), 0), Rooms("observation", 5_000)), ("observation", "Rooms", "Discrete(4)", 7)),
         (
             lambda: edugym.train("Boulder", games.MinimaxQ.create(SOCCER, 0), 9),

@@ -30,7 +30,8 @@ class Rooms(NamedTuple):
 
     def initial(self, rng: Random) -> tuple[int, int]:
         """A room, drawn."""
-        return int(rng.integers(3)), 0
+        over = self.broken == "initial" and rng.random() * self.after < 1.0
+        return 3 if over else int(rng.integers(3)), 0
 
     def transition(self, state: tuple[int, int], actions: tuple[int, int], rng: Random) -> tuple[int, int]:
         """Both move; the time goes on."""

@@ -46,6 +46,7 @@ IN_MDP = {
     "beyond the space": Slip(SEE, "return state + 6\n", "observation Walk 6"),
     "a flag to see": Slip(SEE, "return state > 9\n", "observation Walk Discrete(6) False"),
     "initial without return": Slip("return 0\n", "0\n", "initial Walk first None"),
+    "over at the start": Slip("return 0\n", "return self.size\n", "initial Walk not terminal 5"),
     "rng forgotten": Slip(TRANSITION, TRANSITION.replace(", rng", ""), "transition Walk (self, state, action)"),
     "self forgotten": Slip(TRANSITION, TRANSITION.replace("self, ", ""), "transition (state, action, rng)"),
     "another order": Slip(TRANSITION, "def transition(self, action, state, rng):", "transition (self, action, state,"),

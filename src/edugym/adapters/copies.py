@@ -8,8 +8,11 @@ from edugym.mdp.protocol import MDP, Random
 
 MODES = [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP, AutoresetMode.DISABLED]
 NEXT_STEP, SAME_STEP, DISABLED = range(3)
-ACTION_OUTSIDE, STATE_LOST = -1, -2
-"""What the loops return instead of a number of episodes: an action is none, or a state does not fit its storage."""
+ACTION_OUTSIDE, STATE_LOST, OVER_AT_START = -1, -2, -3
+"""What the loops return instead of a number of episodes: what is wrong.
+
+An action is none, a state does not fit its storage, or an episode starts in a terminal state.
+"""
 
 
 class Batch(NamedTuple):
@@ -35,7 +38,10 @@ def reset_copies(n: int, mdp: MDP[Any, Any], rng: Random, mask: Any, states: Any
                 return STATE_LOST
             batch.steps[i] = 0
             batch.over[i] = False
-        batch.observations.put(i, mdp, states.load(i), rng)
+        state = states.load(i)
+        batch.observations.put(i, mdp, state, rng)
+        if mask[i] and mdp.terminal(state):
+            return OVER_AT_START
     return 0
 
 
@@ -62,6 +68,8 @@ def step_copies(
             if not states.store(i, state):
                 return STATE_LOST
             batch.observations.put(i, mdp, state, rng)
+            if mdp.terminal(state):
+                return OVER_AT_START
             batch.steps[i] = 0
             batch.over[i] = False
             batch.rewards[i] = 0.0
@@ -85,6 +93,8 @@ def step_copies(
                 batch.steps[i] = 0
                 batch.over[i] = False
         batch.observations.put(i, mdp, next_state, rng)
+        if batch.steps[i] == 0 and mdp.terminal(next_state):
+            return OVER_AT_START
         if not states.store(i, next_state):
             return STATE_LOST
     return finished

@@ -16,7 +16,7 @@ from edugym.adapters import keys
 from edugym.adapters.actions import checked_action
 from edugym.adapters.specification import filled
 from edugym.checks.interfaces import MDP_ONLY
-from edugym.checks.mdps import CHECKED_STEPS, CheckedMDP, checked_step, refuse_nothing
+from edugym.checks.mdps import CHECKED_STEPS, CheckedMDP, checked_step, refuse_nothing, refuse_start
 from edugym.checks.parameters import in_short, one_of
 from edugym.checks.tracebacks import end_at_students_line
 from edugym.checks.values import ANSWERS
@@ -104,6 +104,9 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
 
         Returns:
             The observation and `info`.
+
+        Raises:
+            ValueError: the episode would start in a terminal state.
         """
         super().reset(seed=seed)
         if seed is not None:
@@ -113,6 +116,8 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         try:
             self.state = mdp.initial(rng)
             observed = mdp.observation(self.state, rng)
+            if mdp.terminal(self.state):
+                refuse_start(mdp, self.state)
         except Exception as error:
             end_at_students_line(error)
             raise

@@ -10,7 +10,7 @@ from gymnasium.utils import seeding
 
 from edugym.adapters.actions import checked_action
 from edugym.checks.games import CheckedGame
-from edugym.checks.mdps import CHECKED_STEPS
+from edugym.checks.mdps import CHECKED_STEPS, refuse_start
 from edugym.checks.parameters import in_short, one_of
 from edugym.checks.tracebacks import end_at_students_line
 from edugym.checks.values import ANSWERS
@@ -84,6 +84,8 @@ class GameEnv:
         try:
             self.game_state = game.initial(self._rng)
             seen = self._seen(game)
+            if game.terminal(self.game_state):
+                refuse_start(game, self.game_state)
         except Exception as error:
             end_at_students_line(error)
             raise

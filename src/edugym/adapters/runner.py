@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from edugym.adapters.columns import Listed, as_sampled, copy_of, head, loose
-from edugym.adapters.copies import STATE_LOST, Batch
+from edugym.adapters.copies import OVER_AT_START, STATE_LOST, Batch
 from edugym.checks.mdps import checked_mdp
 from edugym.compiled.code import Code, is_foreign
 from edugym.compiled.execution import executable
@@ -109,7 +109,7 @@ class Runner:
             guard.defer(machine_code=True)
             try:
                 done = machine_code(self._n, self._mdp, rng, *arguments, self.states, batch)
-                succeeded = done != STATE_LOST and bool(np.isfinite(batch.rewards).all())
+                succeeded = done not in (STATE_LOST, OVER_AT_START) and bool(np.isfinite(batch.rewards).all())
                 if succeeded:
                     return done
             except Exception as error:  # the interpreter shows it, at the student's line
@@ -129,10 +129,12 @@ class Runner:
     def _run_loop(
         self, loop: Loop, mdp: Any, rng: np.random.Generator, batch: Batch, arguments: tuple[Any, ...]
     ) -> int:
-        """Run a loop as it is, and refuse a state that its storage cannot hold."""
+        """Run a loop as it is, and refuse a state that its storage cannot hold, and one that is over at the start."""
         done: int = loop(self._n, mdp, rng, *arguments, self.states, batch)
         if done == STATE_LOST:
             raise TypeError(f"states of {type(self._mdp).__name__} do not fit the storage that was made for them")
+        if done == OVER_AT_START:
+            raise ValueError(f"initial of {type(self._mdp).__name__} must return a state that is not terminal")
         return done
 
     def _run_interpreted_and_explain(

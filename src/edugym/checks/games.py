@@ -6,7 +6,7 @@ import numpy as np
 from numpy.random import Generator as Random
 
 from edugym.checks.interfaces import class_name
-from edugym.checks.mdps import refuse_change
+from edugym.checks.mdps import refuse_change, refuse_start
 from edugym.checks.parameters import in_short
 from edugym.checks.values import fits, is_finite_number, kept
 
@@ -27,6 +27,8 @@ class CheckedGame(NamedTuple):
         state = self.game.initial(rng)
         if state is None:
             raise self._mistake("initial", state, "the first state")
+        if self.terminal(state):
+            refuse_start(self.game, state)
         return state
 
     def transition(self, state: Any, actions: tuple[int, int], rng: Random) -> Any:

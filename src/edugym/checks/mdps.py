@@ -105,6 +105,18 @@ def refuse_nothing(mdp: Any, state: Any, action: Any, next_state: Any, reward: A
     raise ValueError(_sentence(mdp, "terminal", ended, "True or False", next_state))
 
 
+def refuse_start(task: Any, state: Any) -> None:
+    """Refuse a terminal state as the first of an episode: nothing comes after it, yet a step would be taken there.
+
+    Raises:
+        ValueError: always.
+    """
+    raise ValueError(
+        f"initial of {class_name(innermost(task))} must return a state that is not terminal, but returned"
+        f" {in_short(state)}"
+    )
+
+
 class CheckedMDP:
     """An MDP that checks what its methods return: it does what the MDP inside it does, and draws nothing itself.
 
@@ -125,10 +137,16 @@ class CheckedMDP:
         return getattr(self._mdp, name)
 
     def initial(self, rng: Random) -> Any:
-        """Draw the state in which an episode starts."""
+        """Draw the state in which an episode starts.
+
+        Raises:
+            ValueError: it is terminal.
+        """
         with self._draws.refused("initial"):
-            self._first = self._mdp.initial(rng)
-        return self._first
+            first = self._first = self._mdp.initial(rng)
+        if first is not None and self.terminal(first):
+            refuse_start(self._mdp, first)
+        return first
 
     def transition(self, state: Any, action: Any, rng: Random) -> Any:
         """Draw the next state.

@@ -108,12 +108,11 @@ def divergence(
     ratio = np.divide(taken, expected, out=np.ones_like(taken), where=(taken > 0) & (expected > 0))
     in_state = (taken * np.log(ratio)).sum(axis=1)
     impossible = ((taken > 0) & (expected == 0)).any(axis=1) & ~model.terminal
-    costs = np.where(model.terminal, 0.0, in_state)
     if impossible.any():
         visits = _per_state(model, impossible.astype(float))
         if policy_evaluation(visits, taken, discount, horizon=horizon).start > 0:
             return np.inf
-    return policy_evaluation(_per_state(model, costs), taken, discount, horizon=horizon).start
+    return policy_evaluation(_per_state(model, in_state), taken, discount, horizon=horizon).start
 
 
 def with_rewards(model: FiniteModel, rewards: Any) -> FiniteModel:

@@ -8,7 +8,7 @@ from edugym.mdp.protocol import Random
 
 
 class GuardedGame(NamedTuple):
-    """A game that stops at an action, a reward or an observation that is invalid; it draws nothing itself.
+    """A game that stops at a start, an action, a reward or an observation that is invalid; it draws nothing itself.
 
     Attributes:
         game: what it does.
@@ -21,8 +21,15 @@ class GuardedGame(NamedTuple):
     seen: tuple[Any, Any]
 
     def initial(self, rng: Random) -> Any:
-        """As in the game."""
-        return self.game.initial(rng)
+        """The first state of the game.
+
+        Raises:
+            ValueError: it is terminal.
+        """
+        state = self.game.initial(rng)
+        if self.game.terminal(state):
+            raise ValueError("an episode starts in a terminal state")
+        return state
 
     def transition(self, state: Any, actions: tuple[Any, Any], rng: Random) -> Any:
         """The next state of the game.

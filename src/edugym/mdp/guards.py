@@ -1,4 +1,4 @@
-"""Guards around an MDP: they stop machine code at a reward, an observation or an action that is invalid.
+"""Guards around an MDP: they stop machine code at a start, a reward, an observation or an action that is invalid.
 
 The first steps of a student's MDP or agent are checked in every way (see `edugym.checks`). A mistake in a rare state
 comes later, when the loop may run as machine code. There NaN would spread silently, and the row -1 of a table is its
@@ -15,14 +15,25 @@ from edugym.system.packages import is_ours, is_own
 
 
 @wrapper
-class FiniteRewards(NamedTuple):
-    """An MDP that stops at a reward that is NaN or infinite.
+class StartsAndRewards(NamedTuple):
+    """An MDP that stops at an episode that starts in a terminal state, and at a reward that is NaN or infinite.
 
     Attributes:
         mdp: the task.
     """
 
     mdp: Any
+
+    def initial(self, rng: Random) -> Any:
+        """The first state of the task.
+
+        Raises:
+            ValueError: it is terminal.
+        """
+        state = self.mdp.initial(rng)
+        if self.mdp.terminal(state):
+            raise ValueError("an episode starts in a terminal state")
+        return state
 
     def reward(self, state: Any, action: Any, next_state: Any, rng: Random) -> float:
         """The reward of the task.
@@ -36,7 +47,7 @@ class FiniteRewards(NamedTuple):
         return reward
 
 
-class FiniteRewardsInPlace(FiniteRewards):
+class StartsAndRewardsInPlace(StartsAndRewards):
     """The same for an MDP that writes its observations into an array."""
 
     __slots__ = ()
@@ -137,8 +148,8 @@ def _guarded_mdp(mdp: Any) -> Any:
     in_place, observations = writes_in_place(mdp), membership(mdp.observation_space)
     if observations is not None:
         mdp = (InSpaceInPlace if in_place else InSpace)(mdp, observations)
-    return (FiniteRewardsInPlace if in_place else FiniteRewards)(mdp)
+    return (StartsAndRewardsInPlace if in_place else StartsAndRewards)(mdp)
 
 
-GUARDS = (ActionsOfASpace, ActionsOfASpaceInPlace, FiniteRewards, FiniteRewardsInPlace, InSpace, InSpaceInPlace)
+GUARDS = (ActionsOfASpace, ActionsOfASpaceInPlace, InSpace, InSpaceInPlace, StartsAndRewards, StartsAndRewardsInPlace)
 """The classes of the guards. They say less than the checks."""

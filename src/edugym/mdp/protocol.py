@@ -61,7 +61,7 @@ class MDP(Protocol[State, Observation_co]):
         """The Gymnasium space of the actions."""
 
     def initial(self, rng: Random) -> State:
-        """Draw the state in which an episode starts."""
+        """Draw the state in which an episode starts. It must not be terminal."""
 
     def transition(self, state: State, action: int, rng: Random) -> State:
         """Draw the next state from the dynamics p(s'|s, a)."""
