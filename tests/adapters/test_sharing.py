@@ -150,7 +150,7 @@ def drawn(drawing: str) -> str:
         ("ends = {'left': 0, 'right': iter([])}", SLOW, "ends must be made of numbers, texts and arrays"),
         ("ends = {'left': 0, 'right': np.array([None, 1])}", SLOW, "ends must be made of"),
         ("Walk.reward = lambda self, *_: 7.0", "Walk(3)", r"Walk\.reward was replaced"),
-        ("Walk.terminal = staticmethod(lambda state: True)", "Walk(3)", r"Walk\.terminal was replaced"),
+        ("Walk.terminal = staticmethod(lambda state: False)", "Walk(3)", r"Walk\.terminal was replaced"),
         ("Walk.max_steps = property(lambda self: 5)", "Walk(3)", r"Walk\.max_steps was replaced"),
         (drawn("Shape(1)"), WALKING.replace("Walk", "Drawn"), "Drawn .*scene .*name 'Shape' is not defined"),
         (drawn("Circle(state.x, 2, 1)"), WALKING.replace("Walk", "Drawn"), "Drawn .*scene .*Circle"),
