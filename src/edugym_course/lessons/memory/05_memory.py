@@ -179,7 +179,7 @@ frames("MemoryCorridor", players.Rememberer.create(None), seed=4, max_steps=60)
 # The dotted lines show the best play that we could find for an agent that has no other memory than the window. Where the window does
 # not tell the right door, this play guesses. (With full memory it is 1 000.)
 #
-# The cell after the next is the whole experiment: one task for each window. (`players.learn_all` makes these calls too;
+# The first half of the cell after the next is the whole experiment: one task for each window. (`players.learn_all` makes these calls too;
 # with `actions=True` the window shows actions.)
 #
 # **Predict.** With $k = 4$ the agent sees the last four observations, but not its actions. It chose its actions itself.
@@ -461,7 +461,7 @@ for length, share in enumerate(windows.best_play(7, actions=True).through[:7], s
 #    missing (except at the first place of corridor 6) is the second last mark, which tells how long the corridor is.
 # 2. The actions make the right length likelier in corridor 6. In a corridor of length $L$, each door that the agent has just
 #    opened on this walk is the same as the one opened $L - 1$ steps before it. A wrong length fits only by chance, in one
-#    case of three for each door that can be compared. (In corridor 7 this window can compare none.)
+#    case of three for each door that can be compared. (This window has six doors: it can test length 5 by at most two of them, length 6 by one, and length 7 by none.)
 # 3. Where nothing tells the length, the best play guesses.
 #
 # So the best play with this window gets through corridor 6 in 85 % of all episodes, and returns 23 on average. DQN

@@ -127,6 +127,12 @@ def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * length - 1 // 2 + 1)
 
 
+# %% no brackets around the exponent
+# says: set brackets around the whole exponent: a power is taken before a product
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** length * (length - 1) // 2 + 1
+
+
 # %% no brackets in the base
 # says: set brackets around N + 1: a power is taken before the sum
 def table_rows(num_doors, length):

@@ -149,7 +149,7 @@ def row(self, window):
 
 
 # %% floats
-# says: numbers, but whole numbers are needed, so start from window.copy(), or np.zeros(len(window), np.int64)
+# says: numbers, but whole numbers of 64 bits are needed, so start from window.copy(), or np.zeros(len(window), np.int64)
 # in: the solution of push
 # - new = window.copy()
 # + new = np.zeros(len(window))
@@ -324,4 +324,28 @@ def row(self, window):
     row = 0
     for i, digit in enumerate(window):
         row += digit * (self.n_observations if i % 2 == 0 else self.n_actions) ** (i // 2)
+    return row
+
+
+# %% small numbers
+# says: gives int8 numbers, but whole numbers of 64 bits are needed
+def push(self, window, action, seen):
+    return np.append(window[2:], [action, seen]).astype(np.int8)
+
+
+# %% rows from 1
+# says: 1 is added to the number: the rows begin with 0
+def row(self, window):
+    row = 0
+    for i, digit in enumerate(window):
+        row = row * (self.n_observations if i % 2 == 0 else self.n_actions) + digit
+    return row + 1
+
+
+# %% the first entry twice
+# says: the first entry counts twice: start from 0, or go on with the second
+def row(self, window):
+    row = window[0]
+    for i, digit in enumerate(window):
+        row = row * (self.n_observations if i % 2 == 0 else self.n_actions) + digit
     return row

@@ -286,3 +286,26 @@ def update(self, notes, place, seen, action):
 def update(self, notes, place, seen, action):
     notes[place] = self.num_doors
     return place + 1 if seen == self.num_doors else 0
+
+
+# %% four places
+# says: should return 5, but returns 0
+# says: what is noted is right. The next place is `place + 1`, or 0 if `seen` is a door
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 1 if seen == self.num_doors and place < 4 else 0
+
+
+# %% thirty lines
+# says: , ...] (from line 28 on)
+# says: the next place is right. The note is the door that was opened, `action`, at the index `place` alone
+def update(self, notes, place, seen, action):
+    notes[min(place, 30)] = action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% an array for the place
+# says: should return a whole number, but returns an array: write int(...) around it
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return np.where(seen == self.num_doors, place + 1, 0)

@@ -142,10 +142,10 @@ def _compare_pushes(pushes: list[tuple[Any, int, int, Any]]) -> None:
             raise WrongAnswer(f"{call} should give {right}, but gives {entries.tolist()}: {why}")
         if not isinstance(found, np.ndarray):
             raise WrongAnswer(f"{call} gives a {type(found).__name__}: give a NumPy array, as the window is one")
-        if found.dtype.kind not in "iu":
+        if found.dtype.kind not in "iu" or found.dtype.itemsize < 4:  # rows have up to eight digits
             raise WrongAnswer(
-                f"{call} gives {found.dtype} numbers, but whole numbers are needed, so start from window.copy(), or"
-                " np.zeros(len(window), np.int64)"
+                f"{call} gives {found.dtype} numbers, but whole numbers of 64 bits are needed, so start from"
+                " window.copy(), or np.zeros(len(window), np.int64)"
             )
 
 
@@ -158,6 +158,10 @@ DIGITS = (
 ROWS: Mapping[str, Callable[[Any, int, int], int]] = MappingProxyType(
     {
         "the number starts from 1; start from 0": lambda w, n, m: _in_digits(w, n, m, start=1),
+        "1 is added to the number: the rows begin with 0": lambda w, n, m: _in_digits(w, n, m) + 1,
+        "the first entry counts twice: start from 0, or go on with the second": lambda w, n, m: _in_digits(
+            w, n, m, start=int(w[0])
+        ),
         "the last entry is left out: range(len(window)) goes through all of them": lambda w, n, m: _in_digits(
             w[:-1], n, m
         ),
@@ -247,11 +251,18 @@ def _row(made: Any, window: Any, what: str) -> int:
     return row
 
 
+LONGEST = 45
+"""The corridors up to length 44 take 990 steps."""
+
+
 def _walk(n: int, rng: np.random.Generator, stride: int) -> Iterator[tuple[Any, int, int, int, int]]:
-    """Yield the arguments of `update`, and the number of doors, on the right way through five corridors."""
-    doors = [*rng.integers(n, size=6).tolist()]
-    notes, place = np.full(8 if stride == 1 else 1_001, n), 0
-    for length in range(1, 6):
+    """Yield the arguments of `update`, and the number of doors, on the right way through some corridors.
+
+    The last is as long as any in an episode of 1 000 steps: what stops at a later place would pass the short ones.
+    """
+    doors = rng.integers(n, size=LONGEST).tolist()
+    notes, place = np.full(1_001, n), 0
+    for length in (1, 2, 3, 4, 5, LONGEST):
         for p in range(length):
             case = notes, place, doors[p] if p == length - 1 else n, doors[p], n
             yield case
@@ -288,8 +299,9 @@ def exercise_3(answer: Any, seed: int, stride: Stride = 1) -> str:
             lambda rule: all(map(partial(_agree, rule, stride), cases, outcomes)),
             otherwise=_half_that_is_wrong(cases, outcomes, stride),
         )
+        at = int(np.flatnonzero(np.append(mine != notes, True))[0])  # the first line that is wrong, if any
         what = (
-            f"should leave the notes {_short(notes)}, but leaves {_short(mine)}"
+            f"should leave the notes {_short(notes, at)}, but leaves {_short(mine, at)}"
             if not np.array_equal(mine, notes)
             else f"should return {expected}, but returns {place}"
         )
@@ -310,13 +322,16 @@ def _half_that_is_wrong(cases: list[Any], outcomes: list[Notes], stride: int) ->
 
 def _call(notes: Any, place: int, seen: int, action: int, n: int) -> str:
     marked = "no mark" if seen == n else "marked"
-    return (
-        f"update(notes, place={place}, seen={seen}, action={action}) with {n} doors ({marked}), notes {_short(notes)},"
-    )
+    call = f"update(notes, place={place}, seen={seen}, action={action})"
+    return f"{call} with {n} doors ({marked}), notes {_short(notes, place)},"
 
 
-def _short(notes: Any) -> str:
-    return "[" + ", ".join(str(int(note)) for note in notes[:6]) + ", ...]"
+def _short(notes: Any, line: int) -> str:
+    """Show six lines of the notes: the first ones, or those around a line that is not among them."""
+    if line < 6 or line >= len(notes):
+        return "[" + ", ".join(str(int(note)) for note in notes[:6]) + ", ...]"
+    shown = ", ".join(str(int(note)) for note in notes[line - 3 : line + 3])
+    return f"[..., {shown}, ...] (from line {line - 3} on)"
 
 
 def _updated(made: Any, notes: Any, place: int, seen: int, action: int, n: int) -> Notes:
@@ -324,6 +339,8 @@ def _updated(made: Any, notes: Any, place: int, seen: int, action: int, n: int) 
     mine, call = notes.copy(), _call(notes, place, seen, action, n)
     with student_code(call):
         found = made.update(mine, place, seen, action)
+    if isinstance(found, np.ndarray) and found.ndim == 0:
+        raise WrongAnswer(f"{call} should return a whole number, but returns an array: write int(...) around it")
     if isinstance(found, tuple | np.ndarray):
         raise WrongAnswer(
             f"{call} should return the next place alone, but returns a {type(found).__name__}; the notes are changed in"

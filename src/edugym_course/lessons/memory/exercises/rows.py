@@ -90,6 +90,8 @@ def _row_mistakes(doors: int, length: int, looks: int) -> dict[str, float]:
         f"an unmarked place counts once too often: there are N + {looks} observations": (base + 1) ** window,
         "L^2 / 2 + 1 is not L(L-1)/2 + 1": base ** (length**2 // 2 + 1),
         "L(L-1) should be divided by 2": base ** (length * (length - 1) + 1),
+        "set brackets around the whole exponent: a power is taken before a product": base**length * (length - 1) // 2
+        + 1,
         "set brackets: L * L - 1 // 2 multiplies and divides before it subtracts": base
         ** (length * length - 1 // 2 + 1),
         f"set brackets around N + {looks}: a power is taken before the sum": doors + looks**window,
